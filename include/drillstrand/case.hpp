@@ -1,0 +1,175 @@
+/// A case: everything a case file says, as plain validated values in SI units.
+/// The keys, their defaults and their ranges are documented in engine/input/README.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drillstrand/schedule.hpp"
+
+namespace drillstrand {
+
+using ScalarSchedule = Schedule<double>;
+using VectorSchedule = Schedule<Eigen::Vector3d>;
+
+/// One line of a survey.
+struct SurveyStation {
+    double measured_depth = 0;  ///< m along the hole
+    double inclination = 0;     ///< rad from the vertical, 0..pi
+    double azimuth = 0;         ///< rad clockwise from north
+};
+
+/// A stretch of well of one diameter.
+struct WellSectionCase {
+    double to = 0;        ///< measured depth of its end (m)
+    double diameter = 0;  ///< m
+};
+
+struct WellCase {
+    std::vector<SurveyStation> survey;      ///< at least two, ascending measured depth
+    std::vector<WellSectionCase> sections;  ///< ascending; the last one also holds below its end
+};
+
+enum class InsideOfPipe { fluid, empty };
+enum class AxialDrag { eccentric, concentric };
+
+struct FluidCase {
+    double density = 0;    ///< kg/m3
+    double viscosity = 0;  ///< Pa s
+    InsideOfPipe inside = InsideOfPipe::fluid;
+    bool drag = true;
+    AxialDrag axial_drag = AxialDrag::eccentric;  ///< concentric: the paper
+    double film = 0.01;  ///< the film never counts as thinner than this fraction of the clearance
+    bool added_mass = false;
+};
+
+/// A stretch of pipe of one kind.
+struct Component {
+    std::string name;
+    double length = 0;          ///< m
+    double outer_diameter = 0;  ///< m; 0 where every section property is given outright
+    double inner_diameter = 0;  ///< m
+    double linear_density = 0;  ///< kg/m
+    double youngs_modulus = 0;  ///< Pa
+    double poisson_ratio = 0.3;
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
+    std::optional<double> bending_stiffness;              ///< N m2
+    std::optional<double> torsional_stiffness;            ///< N m2
+    std::optional<double> axial_stiffness;                ///< N
+    std::optional<double> shear_stiffness;                ///< N
+    std::optional<double> inertia;                        ///< about a diameter, per length (kg m)
+    std::optional<double> polar_inertia;                  ///< about the axis, per length (kg m)
+};
+
+struct StringCase {
+    double shear_coefficient = 1.0;
+    std::vector<Component> components;  ///< head to bit
+};
+
+struct MeshCase {
+    int segments = 0;
+    std::optional<bool> segment_inertia;  ///< unset: the integrator's own default
+};
+
+enum class HeadMotion { driven, free };
+
+struct HeadCase {
+    std::optional<Eigen::Vector3d> position;   ///< m, north-east-down; unset: start of the well
+    std::optional<Eigen::Vector3d> direction;  ///< unit d3; unset: the well's tangent, or down
+    HeadMotion motion = HeadMotion::driven;
+    VectorSchedule force;     ///< N, space frame, motion free
+    VectorSchedule moment;    ///< N m, space frame, motion free
+    ScalarSchedule rotation;  ///< rad/s about d3, motion driven
+};
+
+enum class BitDirection { well, follower };
+
+struct BitCase {
+    ScalarSchedule weight;           ///< N, compressive
+    ScalarSchedule torque;           ///< N m, opposes rotation
+    std::optional<double> friction;  ///< torque = friction * pi R / 4 * weight instead
+    double smoothing_speed = 0;      ///< rad/s below which the torque falls linearly to zero
+    BitDirection direction = BitDirection::follower;
+    VectorSchedule force;        ///< dead load, space frame (N)
+    VectorSchedule dead_moment;  ///< dead couple, space frame (N m)
+    VectorSchedule moment;       ///< follower couple about d3, d1, d2 (N m)
+};
+
+enum class FrictionLaw { coulomb, paper };
+
+/// Friction coefficients along the well and around it.
+struct FrictionCoefficients {
+    double axial = 0;
+    double azimuthal = 0;
+};
+
+struct ContactCase {
+    double normal_stiffness = 1e7;      ///< Pa, per length
+    double normal_damping = 1e5;        ///< Pa s; unused where restitution is set
+    std::optional<double> restitution;  ///< 0..1: sets the damping from each node's own mass
+    double tangential_stiffness = 1e6;  ///< Pa
+    FrictionCoefficients static_friction{0.6, 0.6};
+    FrictionCoefficients dynamic_friction{0.42, 0.42};
+    FrictionLaw law = FrictionLaw::coulomb;
+    bool tension = false;  ///< true: the dashpot may pull (the paper)
+};
+
+struct DampingCase {
+    double internal = 0;      ///< the paper's D_in, N s/m on all six
+    double external = 0;      ///< the paper's D_ex
+    double kelvin_voigt = 0;  ///< s: B = tau A
+};
+
+enum class InitialState { coaxial, equilibrium };
+
+struct InitialCase {
+    InitialState state = InitialState::coaxial;
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< added uniformly: twist, bend1, bend2
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< shift of the string (m)
+};
+
+enum class IntegratorKind { dormand_prince, leapfrog };
+
+struct RunCase {
+    double duration = 0;  ///< s
+    IntegratorKind integrator = IntegratorKind::dormand_prince;
+    double cfl = 0.9;
+    double absolute_tolerance = 1e-7;
+    double relative_tolerance = 1e-5;
+    int threads = 0;  ///< 0: all cores
+};
+
+struct OutputCase {
+    double interval = 0.1;            ///< s
+    double profile_interval = 5;      ///< s; 0: first and last only
+    double checkpoint_interval = 60;  ///< wall s
+};
+
+struct Case {
+    std::string title;
+    double gravity = 9.80665;  ///< m/s2, along +z (down)
+    std::optional<WellCase> well;
+    std::optional<FluidCase> fluid;
+    StringCase string;
+    MeshCase mesh;
+    HeadCase head;
+    BitCase bit;
+    ContactCase contact;
+    DampingCase damping;
+    InitialCase initial;
+    RunCase run;
+    OutputCase output;
+    std::filesystem::path path;  ///< the case file
+    std::string text;            ///< the TOML as read, overrides applied
+};
+
+/// Reads and validates a case file. `overrides` are (key.path, value) pairs as in
+/// `--set key.path=value`. Throws InputError with file, line and column.
+Case read_case(const std::filesystem::path& path,
+               const std::vector<std::pair<std::string, std::string>>& overrides = {});
+
+}  // namespace drillstrand

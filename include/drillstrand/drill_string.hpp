@@ -1,0 +1,42 @@
+/// The string: pipe components, and their properties mapped to the mesh.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drillstrand/case.hpp"
+
+namespace drillstrand {
+
+/// What the rod needs to know of a cross section.
+struct SectionProperties {
+    double mass = 0;                                      ///< kg/m
+    double inertia = 0;                                   ///< rho I about a diameter (kg m)
+    double polar_inertia = 0;                             ///< rho Ip about the axis (kg m)
+    double axial_stiffness = 0;                           ///< EA (N)
+    double shear_stiffness = 0;                           ///< k G A (N)
+    double bending_stiffness = 0;                         ///< E I (N m2)
+    double torsional_stiffness = 0;                       ///< G J (N m2)
+    double metal_area = 0;                                ///< m2
+    double outer_area = 0;                                ///< area of the outer circle (m2)
+    double outer_radius = 0;                              ///< m
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
+};
+
+SectionProperties section_properties(const Component& component, double shear_coefficient);
+
+/// The string on a mesh of N segments. Masses and areas of a node are means over its cell (from
+/// the middle of one segment to the middle of the next), so that their sums are exact; compliances
+/// of a segment are means over it, so that uniform stress gives the exact stretch, twist and turn.
+struct StringMesh {
+    std::vector<double> node_s;     ///< N+1, arc length from the head (m)
+    std::vector<double> segment_s;  ///< N, middle of the segment (m)
+    std::vector<double> length;     ///< N, of the segment (m)
+    std::vector<double> cell;       ///< N+1, length of the node's cell (m); half at both ends
+    std::vector<SectionProperties> segment;  ///< N: stiffnesses and curvature are the ones to use
+    std::vector<SectionProperties> node;     ///< N+1: mass, inertias, areas; radius at the node
+};
+
+StringMesh mesh_string(const StringCase& string, int segments);
+
+}  // namespace drillstrand

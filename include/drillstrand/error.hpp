@@ -1,0 +1,42 @@
+/// Typed errors of the engine. The engine never prints and never exits: it throws one of these, and
+/// the program turns it into one line and an exit code.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace drillstrand {
+
+/// A place in an input file; line and column count from 1, 0 means "the whole file".
+struct SourceLocation {
+    std::string file;
+    std::size_t line = 0;
+    std::size_t column = 0;
+};
+
+/// The user's input is wrong. what() is "FILE:LINE:COL: what is wrong; what would be right".
+class InputError : public std::runtime_error {
+  public:
+    InputError(const SourceLocation& where, const std::string& problem);
+
+    [[nodiscard]] const SourceLocation& where() const { return where_; }
+
+  private:
+    SourceLocation where_;
+};
+
+/// The simulation cannot go on (diverged, step underflow, a physical guard). what() says which
+/// quantity, where along the string and when.
+class SimulationError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A result file cannot be written or read (disk full, not a result file).
+class ResultError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace drillstrand

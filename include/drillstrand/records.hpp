@@ -1,0 +1,61 @@
+/// What a simulation reports: one SeriesRecord at each series time, one Profile at each profile
+/// time. Every integrator fills the same records, whatever its own variables are.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace drillstrand {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Energies in J; work and dissipation since the start of the run.
+struct EnergyAccount {
+    double kinetic = 0;
+    double elastic = 0;      ///< strain energy of the rod and of the contact springs
+    double potential = 0;    ///< of the buoyed weight; 0 at the start of the run
+    double work = 0;         ///< done by the head, the bit and dead loads on the string
+    double dissipation = 0;  ///< in damping, fluid, contact dashpots and friction
+
+    [[nodiscard]] double stored() const { return kinetic + elastic + potential; }
+};
+
+/// Quantities of the whole string at one time. Stresses in the order twist moment, bending 1,
+/// bending 2 (N m), axial force, shear 1, shear 2 (N).
+struct SeriesRecord {
+    double time = 0;                                          ///< s
+    Vector6 head_stress = Vector6::Zero();                    ///< first segment
+    Vector6 bit_stress = Vector6::Zero();                     ///< last segment
+    Eigen::Vector3d head_position = Eigen::Vector3d::Zero();  ///< m, NED
+    Eigen::Vector3d bit_position = Eigen::Vector3d::Zero();   ///< m, NED
+    double head_rotation_rate = 0;                            ///< rad/s about d3
+    double bit_rotation_rate = 0;                             ///< rad/s about d3
+    EnergyAccount energy;
+    double step_size = 0;        ///< s, of the last step
+    double max_penetration = 0;  ///< m, 0 without contact
+    std::int64_t contact_nodes = 0;
+};
+
+/// Quantities of every node (N+1) and segment (N) at one time.
+struct Profile {
+    double time = 0;                             ///< s
+    std::vector<Eigen::Vector3d> position;       ///< nodes, m, NED
+    std::vector<Eigen::Vector3d> director;       ///< nodes, d3
+    std::vector<Vector6> momentum;               ///< nodes, per length, body axes (d3, d1, d2)
+    std::vector<Vector6> stress;                 ///< segments, body axes
+    std::vector<double> eccentricity;            ///< nodes, m; 0 without a well
+    std::vector<double> well_depth;              ///< nodes, m; 0 without a well
+    std::vector<Eigen::Vector3d> contact_force;  ///< nodes, N/m, space frame: wall on pipe
+    std::vector<double> normal_force;            ///< nodes, N/m
+};
+
+struct StepStatistics {
+    std::int64_t steps = 0;  ///< accepted
+    std::int64_t rejected = 0;
+    std::int64_t evaluations = 0;  ///< of the right-hand side
+    double smallest_step = 0;      ///< s; steps cut short to meet a record do not count
+    double largest_step = 0;       ///< s
+};
+
+}  // namespace drillstrand

@@ -1,0 +1,64 @@
+/// Running a scene over time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "drillstrand/case.hpp"
+#include "drillstrand/records.hpp"
+#include "drillstrand/scene.hpp"
+
+namespace drillstrand {
+
+/// A time loop over one scene. Create one with make_integrator().
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+
+    /// Advances until `end` is reached exactly, or until `max_steps` more steps were accepted.
+    /// Throws SimulationError where the solution stops being finite or the step underflows.
+    virtual void advance(double end, std::int64_t max_steps) = 0;
+
+    [[nodiscard]] virtual double time() const = 0;
+    [[nodiscard]] virtual SeriesRecord series() const = 0;
+    [[nodiscard]] virtual Profile profile() const = 0;
+    [[nodiscard]] virtual StepStatistics statistics() const = 0;
+};
+
+struct IntegratorOptions {
+    IntegratorKind kind = IntegratorKind::dormand_prince;
+    double absolute_tolerance = 1e-7;
+    double relative_tolerance = 1e-5;
+    double cfl = 0.9;
+    int threads = 1;  ///< 0: all cores
+};
+
+/// The integrator starts from the scene's initial state at time 0. The scene must outlive it.
+std::unique_ptr<Integrator> make_integrator(const Scene& scene, const IntegratorOptions& options);
+
+/// When to record, and until when to run.
+struct RunSchedule {
+    double duration = 0;          ///< s
+    double interval = 0.1;        ///< s, of series records
+    double profile_interval = 5;  ///< s; 0: first and last only
+};
+
+/// Receives what a run reports. All calls come from the thread that called simulate().
+class Observer {
+  public:
+    virtual ~Observer() = default;
+    virtual void on_series(const SeriesRecord& record) = 0;
+    virtual void on_profile(const Profile& profile) = 0;
+    /// Called many times a second with the simulated time reached; false asks the run to stop.
+    virtual bool on_progress(double time, const StepStatistics& statistics) = 0;
+};
+
+enum class RunOutcome { complete, stopped };
+
+/// Records at 0, interval, 2 interval, ... and at the end, profiles likewise, and advances the
+/// integrator in between. SimulationError passes through after what was recorded so far.
+RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer);
+
+}  // namespace drillstrand

@@ -1,0 +1,68 @@
+/// The well: circular arcs through the stations of a survey (minimum curvature), and the cross
+/// section of the well nearest to a point. Equations: engine/model/README.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "drillstrand/case.hpp"
+
+namespace drillstrand {
+
+/// A stretch of well of constant curvature and radius. Straight where curvature = 0.
+struct WellArc {
+    Eigen::Vector3d start;            ///< first point of the axis (m, north-east-down)
+    Eigen::Vector3d tangent;          ///< unit, down the well, at the start
+    Eigen::Vector3d normal;           ///< unit, normal to the tangent, toward the centre
+    double curvature = 0;             ///< 1/m
+    double length = 0;                ///< m
+    double measured_depth_start = 0;  ///< m
+    double radius = 0;                ///< of the hole (m)
+    Eigen::Vector3d end;              ///< last point of the axis
+    Eigen::Vector3d end_tangent;      ///< unit tangent there
+};
+
+/// The cross section of the well in whose plane a point lies.
+struct WellCrossSection {
+    Eigen::Vector3d axis;       ///< centre of the section (m)
+    Eigen::Vector3d direction;  ///< l: unit tangent, down the well
+    double measured_depth = 0;  ///< m
+    double radius = 0;          ///< m
+};
+
+class Well {
+  public:
+    /// Arcs through the stations, the first at the origin, cut where the diameter changes.
+    explicit Well(const WellCase& well);
+
+    [[nodiscard]] const std::vector<WellArc>& arcs() const { return arcs_; }
+    [[nodiscard]] double measured_depth_start() const;
+    [[nodiscard]] double measured_depth_end() const;
+
+    /// The arc that holds a measured depth; the first or last one outside the survey.
+    [[nodiscard]] std::size_t arc_at(double measured_depth) const;
+
+    /// Section at a measured depth; the axis goes on straight above the start and below the end.
+    [[nodiscard]] WellCrossSection at(double measured_depth) const;
+
+    /// The arc whose part of the well holds the foot of `point`, searched from arc `guess` outward
+    /// one neighbour at a time: a node that moves a little finds its arc in one comparison.
+    [[nodiscard]] std::size_t find_arc(const Eigen::Vector3d& point, std::size_t guess) const;
+
+    /// Cross section of arc `arc` in whose plane `point` lies, without trigonometry but for the
+    /// measured depth.
+    [[nodiscard]] WellCrossSection project(const Eigen::Vector3d& point, std::size_t arc) const;
+
+  private:
+    std::vector<WellArc>
+        arcs_;  ///< including one straight arc before the start and one after the end
+};
+
+/// Positions of survey stations by minimum curvature, the first at the origin (m, NED).
+std::vector<Eigen::Vector3d> station_positions(const std::vector<SurveyStation>& survey);
+
+/// Dogleg severity between consecutive stations (rad/m), one fewer than stations.
+std::vector<double> dogleg_severities(const std::vector<SurveyStation>& survey);
+
+}  // namespace drillstrand
