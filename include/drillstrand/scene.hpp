@@ -1,57 +1,33 @@
-/// A scene: everything a run needs to know and never changes, laid out for the step loop.
+/// A scene: everything a run needs to know and never changes.
 ///
-/// One line per array: name, meaning, unit, where it lives. Node k joins segments k-1 and k;
-/// segment k joins nodes k and k+1. Arrays are padded to whole blocks (numerics/block_array.hpp);
-/// padding holds harmless values, so that kernels run over whole blocks.
+/// Node k joins segments k-1 and k; segment k joins nodes k and k+1. Integrators copy what their
+/// step loop reads into padded tables of their own (engine/numerics/block_table.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
 
-#include "drillstrand/block_array.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/drill_string.hpp"
+#include "drillstrand/records.hpp"
 #include "drillstrand/well.hpp"
 
 namespace drillstrand {
 
 /// Which physics the scene names; decided once, before the first step.
 struct SceneFeatures {
-    bool well = false;      ///< contact, friction
-    bool drag = false;      ///< annular fluid drag
-    bool friction = false;  ///< any friction coefficient above zero
-    bool damping = false;   ///< the paper's D_in or D_ex
-};
-
-/// Per-segment constants of the rod.
-struct SegmentArrays {
-    BlockArray length;     ///< h (m)
-    BlockArray torsion;    ///< GJ (N m2)
-    BlockArray bending;    ///< EI (N m2)
-    BlockArray axial;      ///< EA (N)
-    BlockArray shear;      ///< k G A (N)
-    BlockArray twist0;     ///< stress-free k3 (1/m)
-    BlockArray bending10;  ///< stress-free k1 (1/m)
-    BlockArray bending20;  ///< stress-free k2 (1/m)
-};
-
-/// Per-node constants of the rod and of its surroundings.
-struct NodeArrays {
-    BlockArray cell;            ///< length of the node's cell (m)
-    BlockArray mass;            ///< m (kg/m)
-    BlockArray inertia;         ///< rho I, with the segment inertia where it is on (kg m)
-    BlockArray polar_inertia;   ///< rho Ip (kg m)
-    BlockArray weight;          ///< buoyed weight (N/m)
-    BlockArray radius;          ///< outer radius of the pipe (m)
-    BlockArray normal_damping;  ///< eta_el (Pa s)
+    bool well = false;     ///< contact and friction
+    bool drag = false;     ///< annular fluid drag
+    bool damping = false;  ///< the paper's D_in or D_ex
 };
 
 struct Scene {
     int segments = 0;  ///< N
     StringMesh mesh;
-    SegmentArrays segment;
-    NodeArrays node;
+    std::vector<double> inertia;         ///< N+1, rho I, plus m h^2/12 with segment inertia (kg m)
+    std::vector<double> weight;          ///< N+1, buoyed weight (N/m)
+    std::vector<double> normal_damping;  ///< N+1, eta_el (Pa s); empty without a well
     SceneFeatures features;
     std::optional<Well> well;
     std::optional<FluidCase> fluid;
@@ -59,18 +35,20 @@ struct Scene {
     DampingCase damping;
     HeadCase head;
     BitCase bit;
-    double bit_radius = 0;          ///< outer radius of the last component (m)
     Eigen::Vector3d down{0, 0, 1};  ///< direction of gravity
-    bool segment_inertia = false;
 
-    /// Initial pose of the head: d3, d1, d2 in the columns.
-    Eigen::Matrix3d head_frame = Eigen::Matrix3d::Identity();
+    /// Initial pose of the head; d3, d1, d2 in the columns of the frame.
     Eigen::Vector3d head_position = Eigen::Vector3d::Zero();
-    /// Initial strains of the segments, (k3, k1, k2, g3, g1, g2); the string starts at rest.
-    std::vector<Eigen::Matrix<double, 6, 1>> initial_strain;
+    Eigen::Matrix3d head_frame = Eigen::Matrix3d::Identity();
+    /// N, initial strains (k3, k1, k2, g3, g1, g2); the string starts at rest.
+    std::vector<Vector6> initial_strain;
 };
 
 /// Builds the scene of a case. Throws InputError where string, well and mesh do not go together.
 Scene build_scene(const Case& input);
+
+/// Frame (d3, d1, d2 in the columns) with the given d3: d1 is east made normal to d3, or north
+/// where d3 is within 25 degrees of east or west; d2 = d3 x d1.
+Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3);
 
 }  // namespace drillstrand

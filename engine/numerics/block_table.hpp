@@ -1,0 +1,59 @@
+/// Aligned, padded storage for the step loop.
+///
+/// Kernels run over whole blocks of block_size entries, a trip count known at compile time: the
+/// compiler needs no remainder loop, and the result of an entry does not depend on how the blocks
+/// are shared among threads.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace drillstrand {
+
+inline constexpr std::size_t block_size = 16;       ///< entries: two AVX-512 vectors
+inline constexpr std::size_t block_alignment = 64;  ///< bytes: one cache line
+
+/// Blocks that hold `count` entries.
+constexpr std::size_t blocks_for(std::size_t count) {
+    return (count + block_size - 1) / block_size;
+}
+
+/// Rows of doubles in one allocation, all of the same length. Each row has a block of padding
+/// before and after, so that neighbours of the first and last entry can be read. Rows are an odd
+/// number of cache lines apart, so that a loop over many rows does not crowd one cache set.
+class BlockTable {
+  public:
+    BlockTable() = default;
+
+    /// `rows` rows that hold `count` entries (rounded up to whole blocks), all of them zero.
+    BlockTable(std::size_t rows, std::size_t count);
+
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    [[nodiscard]] std::size_t blocks() const { return blocks_; }
+
+    /// Entry 0 of a row; indices -block_size .. (blocks() + 1) * block_size - 1 exist.
+    [[nodiscard]] double* row(std::size_t i) { return storage_.get() + i * stride() + block_size; }
+    [[nodiscard]] const double* row(std::size_t i) const {
+        return storage_.get() + i * stride() + block_size;
+    }
+
+    /// Sets every entry of a row, padding included.
+    void fill(std::size_t row, double value);
+
+  private:
+    struct Free {
+        void operator()(double* p) const {
+            ::operator delete[](p, std::align_val_t{block_alignment});
+        }
+    };
+    [[nodiscard]] std::size_t stride() const {
+        return (blocks_ + 2) * block_size + block_alignment / sizeof(double);
+    }
+
+    std::size_t rows_ = 0;
+    std::size_t blocks_ = 0;
+    std::unique_ptr<double[], Free> storage_;
+};
+
+}  // namespace drillstrand

@@ -1,0 +1,17 @@
+/// How vector kernels are compiled.
+///
+/// A kernel is a plain function whose loops carry `#pragma omp simd`. DRILLSTRAND_KERNEL makes the
+/// compiler emit it for x86-64, AVX2 and AVX-512 machines and choose when the program starts.
+/// Functions called inside such a loop are DRILLSTRAND_INLINE and free of branches and of calls
+/// other than sqrt: they are written once, and tests and cold code call them for single nodes.
+#pragma once
+
+#if defined(DRILLSTRAND_DISPATCH) && defined(__x86_64__) && defined(__GNUC__) && \
+    !defined(__clang__)
+#define DRILLSTRAND_KERNEL \
+    [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
+#else
+#define DRILLSTRAND_KERNEL
+#endif
+
+#define DRILLSTRAND_INLINE [[gnu::always_inline]] inline
