@@ -23,6 +23,9 @@ struct SectionProperties {
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
 };
 
+/// Properties of a pipe, G = E / (2 (1 + nu)), rho I = m I / A, polar ones twice those about a
+/// diameter; each value the component gives outright replaces the computed one (a given inertia
+/// also sets the polar one, unless that is given too).
 SectionProperties section_properties(const Component& component, double shear_coefficient);
 
 /// The string on a mesh of N segments. Masses and areas of a node are means over its cell (from
@@ -37,6 +40,9 @@ struct StringMesh {
     std::vector<SectionProperties> node;     ///< N+1: mass, inertias, areas; radius at the node
 };
 
+/// The string on a uniform mesh of at least one segment. Outer radii are those of the component at
+/// the node or at the middle of the segment: the larger at a joint, the last component's at the
+/// bit.
 StringMesh mesh_string(const StringCase& string, int segments);
 
 }  // namespace drillstrand

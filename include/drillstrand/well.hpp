@@ -33,12 +33,14 @@ struct WellCrossSection {
 
 class Well {
   public:
-    /// Arcs through the stations, the first at the origin, cut where the diameter changes.
+    /// Arcs through the stations, the first at the origin, cut where the diameter changes. Throws
+    /// std::invalid_argument where the survey bends on a radius below the hole's, or turns back.
     explicit Well(const WellCase& well);
 
     [[nodiscard]] const std::vector<WellArc>& arcs() const { return arcs_; }
-    [[nodiscard]] double measured_depth_start() const;
-    [[nodiscard]] double measured_depth_end() const;
+    /// Measured depths of the first and the last station (m).
+    [[nodiscard]] double measured_depth_start() const { return measured_depth_start_; }
+    [[nodiscard]] double measured_depth_end() const { return measured_depth_end_; }
 
     /// The arc that holds a measured depth; the first or last one outside the survey.
     [[nodiscard]] std::size_t arc_at(double measured_depth) const;
@@ -55,8 +57,9 @@ class Well {
     [[nodiscard]] WellCrossSection project(const Eigen::Vector3d& point, std::size_t arc) const;
 
   private:
-    std::vector<WellArc>
-        arcs_;  ///< including one straight arc before the start and one after the end
+    std::vector<WellArc> arcs_;  ///< with straight ones before the first and after the last station
+    double measured_depth_start_;
+    double measured_depth_end_;
 };
 
 /// Positions of survey stations by minimum curvature, the first at the origin (m, NED).
