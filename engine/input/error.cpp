@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "input/wording.hpp"
+
 namespace drillstrand {
 
 namespace {
 
+/// One line, whatever file names and quoted values hold.
 std::string describe(const SourceLocation& where, const std::string& problem) {
-    if (where.line == 0) return fmt::format("{}: {}", where.file, problem);
-    return fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, problem);
+    if (where.line == 0) return on_one_line(fmt::format("{}: {}", where.file, problem));
+    return on_one_line(fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, problem));
 }
 
 }  // namespace

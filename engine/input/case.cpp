@@ -1,0 +1,64 @@
+#include "drillstrand/case.hpp"
+
+#include <fmt/format.h>
+
+#include "input/case_document.hpp"
+#include "input/case_sections.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// Throws InputError where the case asks for what the engine cannot do yet: one line each.
+void refuse_unfinished(const Case& input, const toml::table& root) {
+    const auto refuse = [&](bool asked, std::string_view path, std::string_view expected) {
+        if (!asked) return;
+        const Value value(*root.at_path(path).node(), std::string(path));
+        value.fail(fmt::format("asks for what is not available yet; expected {}", expected));
+    };
+    refuse(input.run.integrator == IntegratorKind::leapfrog, "run.integrator",
+           "\"dormand-prince\"");
+    refuse(input.initial.state == InitialState::equilibrium, "initial.state", "\"coaxial\"");
+    refuse(input.damping.kelvin_voigt > 0, "damping.kelvin_voigt", "0");
+    refuse(input.fluid && input.fluid->added_mass, "fluid.added_mass", "false");
+}
+
+std::string read_title(const Table& root, const std::filesystem::path& path) {
+    const std::optional<Value> title = root.find("title");
+    return title ? title->text() : path.stem().string();
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path,
+               const std::vector<std::pair<std::string, std::string>>& overrides) {
+    CaseDocument document = load_case_document(path, overrides);
+    const Table root(document.root, "",
+                     {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit",
+                      "contact", "damping", "initial", "run", "output"});
+    const std::filesystem::path folder = path.parent_path();
+
+    Case result;
+    result.title = read_title(root, path);
+    result.gravity =
+        root.quantity("gravity", dimension::acceleration, result.gravity, not_negative);
+    result.run = read_run(root);
+    result.output = read_output(root);
+    result.well = read_well(root, folder);
+    result.fluid = read_fluid(root);
+    const StringInput string = read_string(root, folder);
+    result.string = string.string;
+    result.mesh = read_mesh(root, string.length());
+    result.head = read_head(root);
+    result.bit = read_bit(root, result.string);
+    result.contact = read_contact(root);
+    result.damping = read_damping(root);
+    result.initial = read_initial(root);
+    if (result.well) check_fit(*result.well, string, result.head);
+    refuse_unfinished(result, document.root);
+    result.path = path;
+    result.text = std::move(document.text);
+    return result;
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "input/case_sections.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+constexpr double revolution_per_minute = 2 * std::numbers::pi / 60;  // rad/s
+
+// Dimension of a damping coefficient of velocity, N s/m.
+constexpr Dimension damping_coefficient{1, 0, -1};
+
+bool is_zero(const ScalarSchedule& schedule) {
+    return std::all_of(schedule.values().begin(), schedule.values().end(),
+                       [](double value) { return value == 0; });
+}
+
+bool is_zero(const VectorSchedule& schedule) {
+    return std::all_of(schedule.values().begin(), schedule.values().end(),
+                       [](const Eigen::Vector3d& value) { return value.isZero(0); });
+}
+
+void refuse_head_load(const Table& table, std::string_view key, std::string_view motion) {
+    if (const std::optional<Value> value = table.find(key)) {
+        value->fail(fmt::format("has no effect; expected it with head.motion = \"{}\"", motion));
+    }
+}
+
+Eigen::Vector3d read_direction(const Value& value) {
+    const Eigen::Vector3d direction = value.vector(dimension::none);
+    const double length = direction.stableNorm();
+    if (!(length > 0)) value.fail("has no length; expected a vector that is not zero");
+    return direction / length;
+}
+
+/// One coefficient for both directions, or [axial, azimuthal].
+FrictionCoefficients read_friction(const Value& value) {
+    if (!value.is_list()) {
+        const double both = value.number(not_negative);
+        return {both, both};
+    }
+    const std::vector<Value> parts = value.elements("a number or [axial, azimuthal]");
+    if (parts.size() != 2) {
+        value.fail(
+            fmt::format("has {} entries; expected a number or [axial, azimuthal]", parts.size()));
+    }
+    return {parts[0].number(not_negative), parts[1].number(not_negative)};
+}
+
+void check_friction(const Table& table, const ContactCase& contact) {
+    const auto check = [&](double dynamic, double standing) {
+        if (dynamic <= standing) return;
+        const bool dynamic_given = table.find("dynamic_friction").has_value();
+        const Value value = *table.find(dynamic_given ? "dynamic_friction" : "static_friction");
+        if (dynamic_given) {
+            value.fail(
+                fmt::format("is {}; expected at most static_friction, {}", dynamic, standing));
+        }
+        value.fail(
+            fmt::format("is {}; expected at least dynamic_friction, which is {} where it is "
+                        "left out",
+                        standing, dynamic));
+    };
+    check(contact.dynamic_friction.axial, contact.static_friction.axial);
+    check(contact.dynamic_friction.azimuthal, contact.static_friction.azimuthal);
+}
+
+}  // namespace
+
+HeadCase read_head(const Table& root) {
+    const Table table =
+        root.subtable("head", {"position", "direction", "motion", "force", "moment", "rotation"});
+    HeadCase head;
+    if (const std::optional<Value> position = table.find("position")) {
+        head.position = position->vector(dimension::length);
+    }
+    if (const std::optional<Value> direction = table.find("direction")) {
+        head.direction = read_direction(*direction);
+    }
+    head.motion = table.choice<HeadMotion>(
+        "motion", head.motion, {{"driven", HeadMotion::driven}, {"free", HeadMotion::free}});
+    head.force = table.vector_schedule("force", dimension::force);
+    head.moment = table.vector_schedule("moment", dimension::moment);
+    head.rotation = table.scalar_schedule("rotation", dimension::frequency);
+    if (head.motion == HeadMotion::driven) {
+        if (!is_zero(head.force)) refuse_head_load(table, "force", "free");
+        if (!is_zero(head.moment)) refuse_head_load(table, "moment", "free");
+    } else if (!is_zero(head.rotation)) {
+        refuse_head_load(table, "rotation", "driven");
+    }
+    return head;
+}
+
+BitCase read_bit(const Table& root, const StringCase& string) {
+    const Table table = root.subtable("bit", {"weight", "torque", "friction", "smoothing_speed",
+                                              "direction", "force", "dead_moment", "moment"});
+    table.refuse_both("torque", "friction");
+
+    const bool in_well = root.find("well").has_value();
+    BitCase bit;
+    bit.torque = table.scalar_schedule("torque", dimension::moment, not_negative);
+    if (const std::optional<Value> friction = table.find("friction")) {
+        bit.friction = friction->number(not_negative);
+        if (string.components.back().outer_diameter == 0) {
+            friction->fail(
+                "needs the bit's radius; expected an outer_diameter in the last component");
+        }
+    }
+    // Friction of a bit that pulls would drive the rotation.
+    bit.weight =
+        table.scalar_schedule("weight", dimension::force, bit.friction ? not_negative : any_value);
+    bit.smoothing_speed =
+        table.quantity("smoothing_speed", dimension::frequency, revolution_per_minute, positive);
+    bit.direction = table.choice<BitDirection>(
+        "direction", in_well ? BitDirection::well : BitDirection::follower,
+        {{"well", BitDirection::well}, {"follower", BitDirection::follower}});
+    if (bit.direction == BitDirection::well && !in_well) {
+        table.require("direction", "").fail("is \"well\" without a well; expected \"follower\"");
+    }
+    bit.force = table.vector_schedule("force", dimension::force);
+    bit.dead_moment = table.vector_schedule("dead_moment", dimension::moment);
+    bit.moment = table.vector_schedule("moment", dimension::moment);
+    return bit;
+}
+
+ContactCase read_contact(const Table& root) {
+    const Table table = root.subtable(
+        "contact", {"normal_stiffness", "normal_damping", "restitution", "tangential_stiffness",
+                    "static_friction", "dynamic_friction", "law", "tension"});
+    table.refuse_both("normal_damping", "restitution");
+
+    ContactCase contact;
+    contact.normal_stiffness =
+        table.quantity("normal_stiffness", dimension::pressure, contact.normal_stiffness, positive);
+    contact.normal_damping = table.quantity("normal_damping", dimension::viscosity,
+                                            contact.normal_damping, not_negative);
+    if (const std::optional<Value> restitution = table.find("restitution")) {
+        contact.restitution = restitution->number({.low = 0, .high = 1});
+    }
+    contact.tangential_stiffness = table.quantity("tangential_stiffness", dimension::pressure,
+                                                  contact.tangential_stiffness, positive);
+    if (const std::optional<Value> value = table.find("static_friction")) {
+        contact.static_friction = read_friction(*value);
+    }
+    if (const std::optional<Value> value = table.find("dynamic_friction")) {
+        contact.dynamic_friction = read_friction(*value);
+    }
+    check_friction(table, contact);
+    contact.law = table.choice<FrictionLaw>(
+        "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
+    contact.tension = table.boolean("tension", contact.tension);
+    return contact;
+}
+
+DampingCase read_damping(const Table& root) {
+    const Table table = root.subtable("damping", {"internal", "external", "kelvin_voigt"});
+    DampingCase damping;
+    damping.internal =
+        table.quantity("internal", damping_coefficient, damping.internal, not_negative);
+    damping.external =
+        table.quantity("external", damping_coefficient, damping.external, not_negative);
+    damping.kelvin_voigt =
+        table.quantity("kelvin_voigt", dimension::time, damping.kelvin_voigt, not_negative);
+    return damping;
+}
+
+}  // namespace drillstrand

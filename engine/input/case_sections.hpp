@@ -1,0 +1,41 @@
+/// The tables of a case file, each read into its part of the case. Every function takes the root
+/// table and throws InputError at the key where something is wrong.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "drillstrand/case.hpp"
+#include "input/component_reader.hpp"
+#include "input/table.hpp"
+
+namespace drillstrand {
+
+/// The string and, for each component, the place to name in messages.
+struct StringInput {
+    StringCase string;
+    std::vector<SourceLocation> component_places;
+    SourceLocation where;
+
+    [[nodiscard]] double length() const;  ///< m
+};
+
+// Paths in the tables are relative to `folder`.
+std::optional<WellCase> read_well(const Table& root, const std::filesystem::path& folder);
+std::optional<FluidCase> read_fluid(const Table& root);
+StringInput read_string(const Table& root, const std::filesystem::path& folder);
+MeshCase read_mesh(const Table& root, double string_length);
+HeadCase read_head(const Table& root);
+BitCase read_bit(const Table& root, const StringCase& string);
+ContactCase read_contact(const Table& root);
+DampingCase read_damping(const Table& root);
+InitialCase read_initial(const Table& root);
+RunCase read_run(const Table& root);
+OutputCase read_output(const Table& root);
+
+/// Throws InputError where the string is longer than the surveyed well or where a component, at
+/// its place below a head at the start of the well, is not thinner than the hole. A head elsewhere
+/// leaves the depths open: then lengths alone are compared.
+void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head);
+
+}  // namespace drillstrand

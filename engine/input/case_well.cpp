@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "input/case_sections.hpp"
+#include "input/survey.hpp"
+#include "input/wording.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+// Sums of component lengths in feet differ from depths in feet by rounding.
+constexpr double length_rounding = 1e-9;
+
+std::vector<WellSectionCase> read_sections(const Value& list, double start) {
+    std::vector<WellSectionCase> sections;
+    double last = start;
+    for (const Value& value : list.elements("a list of tables [[well.section]]")) {
+        const Table table(value, {"to", "diameter"});
+        const Value to = table.require("to", "the measured depth of the section's end");
+        const double end = to.quantity(dimension::length);
+        if (end <= last) {
+            to.fail(fmt::format("is {} m; expected more than {} m, where the section starts", end,
+                                last));
+        }
+        last = end;
+        const Value diameter = table.require("diameter", "the diameter of the hole");
+        sections.push_back({end, diameter.quantity(dimension::length, positive)});
+    }
+    if (sections.empty()) list.fail("is empty; expected at least one section");
+    return sections;
+}
+
+std::string describe(std::size_t index, const Component& component) {
+    if (component.name.empty()) return fmt::format("component {}", index + 1);
+    return fmt::format("component {} ({})", index + 1, in_quotes(component.name));
+}
+
+/// Throws InputError where a component between two measured depths meets a section of the well
+/// that it does not fit into.
+void check_diameter(const WellCase& well, double top, double bottom, const std::string& name,
+                    double outer_diameter, const SourceLocation& where) {
+    double from = well.survey.front().measured_depth;
+    for (std::size_t k = 0; k < well.sections.size(); ++k) {
+        const WellSectionCase& section = well.sections[k];
+        const bool last = k + 1 == well.sections.size();
+        const double to = last ? std::numeric_limits<double>::infinity() : section.to;
+        const double rounding = length_rounding * bottom;
+        if (top < to - rounding && bottom > from + rounding && outer_diameter >= section.diameter) {
+            throw InputError(
+                where, fmt::format("{} has an outer diameter of {} m; expected less than {} m, the "
+                                   "diameter of the well from {} m to {} m",
+                                   name, outer_diameter, section.diameter, std::max(top, from),
+                                   std::min(bottom, to)));
+        }
+        from = to;
+    }
+}
+
+}  // namespace
+
+std::optional<WellCase> read_well(const Table& root, const std::filesystem::path& folder) {
+    const std::optional<Value> value = root.find("well");
+    if (!value) return std::nullopt;
+    const Table table(*value, {"survey", "diameter", "section"});
+    table.refuse_both("diameter", "section");
+
+    WellCase well;
+    const Value survey = table.require("survey", "the name of a CSV file");
+    well.survey = read_survey(folder / survey.text(), survey.where());
+    if (const std::optional<Value> sections = table.find("section")) {
+        well.sections = read_sections(*sections, well.survey.front().measured_depth);
+    } else {
+        const Value diameter =
+            table.require("diameter", "a length such as \"12.25 in\", or [[well.section]]");
+        well.sections = {
+            {well.survey.back().measured_depth, diameter.quantity(dimension::length, positive)}};
+    }
+    return well;
+}
+
+std::optional<FluidCase> read_fluid(const Table& root) {
+    const std::optional<Value> value = root.find("fluid");
+    if (!value) return std::nullopt;
+    const Table table(
+        *value, {"density", "viscosity", "inside", "drag", "axial_drag", "film", "added_mass"});
+    if (!root.find("well")) {
+        table.fail("fluid without a well; expected a table [well] beside [fluid], or neither");
+    }
+    FluidCase fluid;
+    fluid.density = table.require("density", "a density such as \"10 ppg\"")
+                        .quantity(dimension::density, positive);
+    fluid.drag = table.boolean("drag", fluid.drag);
+    if (fluid.drag || table.find("viscosity")) {
+        fluid.viscosity =
+            table.require("viscosity", "a viscosity such as \"1 cP\", or drag = false")
+                .quantity(dimension::viscosity, not_negative);
+    }
+    fluid.inside = table.choice<InsideOfPipe>(
+        "inside", fluid.inside, {{"fluid", InsideOfPipe::fluid}, {"empty", InsideOfPipe::empty}});
+    fluid.axial_drag = table.choice<AxialDrag>(
+        "axial_drag", fluid.axial_drag,
+        {{"eccentric", AxialDrag::eccentric}, {"concentric", AxialDrag::concentric}});
+    fluid.film = table.number("film", fluid.film,
+                              {.low = 0, .high = 1, .low_open = true, .high_open = true});
+    fluid.added_mass = table.boolean("added_mass", fluid.added_mass);
+    return fluid;
+}
+
+void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head) {
+    const double start = well.survey.front().measured_depth;
+    const double well_length = well.survey.back().measured_depth - start;
+    const double string_length = input.length();
+    if (string_length > well_length * (1 + length_rounding)) {
+        throw InputError(input.where, fmt::format("the string is {} m long; expected at most {} m, "
+                                                  "the length of the surveyed well",
+                                                  string_length, well_length));
+    }
+    const bool head_at_start = !head.position || head.position->isZero(0);
+    double top = start;
+    for (std::size_t k = 0; k < input.string.components.size(); ++k) {
+        const Component& component = input.string.components[k];
+        const SourceLocation& where = input.component_places[k];
+        const std::string name = describe(k, component);
+        if (component.outer_diameter == 0) {
+            throw InputError(where,
+                             fmt::format("{} has no outer_diameter; expected one in a well", name));
+        }
+        const double bottom = top + component.length;
+        if (head_at_start) {
+            check_diameter(well, top, bottom, name, component.outer_diameter, where);
+        }
+        top = bottom;
+    }
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,295 @@
+#include "input/component_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "input/delimited_table.hpp"
+#include "input/table.hpp"
+#include "input/text_file.hpp"
+#include "input/wording.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+// Shear modulus E / (2 (1 + nu)) positive and no negative compressibility.
+constexpr Range poisson_range{.low = -1, .high = 0.5, .low_open = true};
+
+/// One component as it is written somewhere: its values by key.
+class ComponentSource {
+  public:
+    virtual ~ComponentSource() = default;
+    [[nodiscard]] virtual std::optional<std::string> text(std::string_view key) const = 0;
+    [[nodiscard]] virtual std::optional<double> quantity(std::string_view key,
+                                                         const Dimension& dimension,
+                                                         const Range& range) const = 0;
+    [[nodiscard]] virtual std::optional<double> number(std::string_view key,
+                                                       const Range& range) const = 0;
+    [[nodiscard]] virtual Eigen::Vector3d curvature() const = 0;
+    [[nodiscard]] virtual SourceLocation where(std::string_view key) const = 0;
+    [[nodiscard]] virtual std::string path_of(std::string_view key) const = 0;
+
+    [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
+        throw InputError(where(key), fmt::format("{} {}", path_of(key), problem));
+    }
+    [[noreturn]] void fail_missing(std::string_view key, std::string_view meaning) const {
+        throw InputError(where(""), fmt::format("missing key {}; expected {}",
+                                                in_quotes(path_of(key)), meaning));
+    }
+};
+
+class TableSource : public ComponentSource {
+  public:
+    explicit TableSource(const Value& value)
+        : table_(value, {"name", "length", "outer_diameter", "inner_diameter", "linear_density",
+                         "density", "youngs_modulus", "poisson_ratio", "curvature",
+                         "bending_stiffness", "torsional_stiffness", "axial_stiffness",
+                         "shear_stiffness", "inertia", "polar_inertia"}) {}
+
+    [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
+        const std::optional<Value> value = table_.find(key);
+        if (!value) return std::nullopt;
+        return value->text();
+    }
+    [[nodiscard]] std::optional<double> quantity(std::string_view key, const Dimension& dimension,
+                                                 const Range& range) const override {
+        const std::optional<Value> value = table_.find(key);
+        if (!value) return std::nullopt;
+        return value->quantity(dimension, range);
+    }
+    [[nodiscard]] std::optional<double> number(std::string_view key,
+                                               const Range& range) const override {
+        const std::optional<Value> value = table_.find(key);
+        if (!value) return std::nullopt;
+        return value->number(range);
+    }
+    [[nodiscard]] Eigen::Vector3d curvature() const override {
+        return table_.vector("curvature", dimension::curvature);
+    }
+    [[nodiscard]] SourceLocation where(std::string_view key) const override {
+        const std::optional<Value> value = table_.find(key);
+        return value ? value->where() : table_.where();
+    }
+    [[nodiscard]] std::string path_of(std::string_view key) const override {
+        return table_.path_of(key);
+    }
+
+  private:
+    Table table_;
+};
+
+constexpr std::array<std::string_view, 17> columns{"name",
+                                                   "length",
+                                                   "outer_diameter",
+                                                   "inner_diameter",
+                                                   "linear_density",
+                                                   "density",
+                                                   "youngs_modulus",
+                                                   "poisson_ratio",
+                                                   "curvature_twist",
+                                                   "curvature_bend1",
+                                                   "curvature_bend2",
+                                                   "bending_stiffness",
+                                                   "torsional_stiffness",
+                                                   "axial_stiffness",
+                                                   "shear_stiffness",
+                                                   "inertia",
+                                                   "polar_inertia"};
+
+/// A row of a CSV file; an empty field is a key left out.
+class RowSource : public ComponentSource {
+  public:
+    RowSource(const DelimitedTable& table, std::size_t row) : table_(table), row_(row) {}
+
+    [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        if (!column) return std::nullopt;
+        return table_.text(row_, *column);
+    }
+    [[nodiscard]] std::optional<double> quantity(std::string_view key, const Dimension& dimension,
+                                                 const Range& range) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        if (!column) return std::nullopt;
+        const double value =
+            table_.number(row_, *column) * table_.column_factor(*column, dimension, 1);
+        return checked(key, value, range);
+    }
+    [[nodiscard]] std::optional<double> number(std::string_view key,
+                                               const Range& range) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        if (!column) return std::nullopt;
+        const std::string& unit = table_.columns()[*column].unit;
+        if (!unit.empty()) {
+            throw InputError(table_.columns()[*column].where,
+                             fmt::format("column {} has the unit {}; expected none", key, unit));
+        }
+        return checked(key, table_.number(row_, *column), range);
+    }
+    [[nodiscard]] Eigen::Vector3d curvature() const override {
+        const auto part = [this](std::string_view key) {
+            return quantity(key, dimension::curvature, any_value).value_or(0);
+        };
+        return {part("curvature_twist"), part("curvature_bend1"), part("curvature_bend2")};
+    }
+    [[nodiscard]] SourceLocation where(std::string_view key) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        return column ? table_.where(row_, *column) : table_.where(row_);
+    }
+    [[nodiscard]] std::string path_of(std::string_view key) const override {
+        return std::string(key);
+    }
+
+  private:
+    [[nodiscard]] std::optional<std::size_t> filled_column(std::string_view key) const {
+        const std::optional<std::size_t> column = table_.find_column(key);
+        if (!column || table_.text(row_, *column).empty()) return std::nullopt;
+        return column;
+    }
+    [[nodiscard]] double checked(std::string_view key, double value, const Range& range) const {
+        if (!std::isfinite(value)) fail(key, "is too large; expected a finite number");
+        if (!range.contains(value)) {
+            fail(key, fmt::format("is {}; expected {}", text(key).value_or(""), range.describe()));
+        }
+        return value;
+    }
+
+    const DelimitedTable& table_;
+    std::size_t row_;
+};
+
+void refuse_unknown_columns(const DelimitedTable& table) {
+    for (const DelimitedTable::Column& column : table.columns()) {
+        if (column.name.empty() ||
+            std::find(columns.begin(), columns.end(), column.name) != columns.end()) {
+            continue;
+        }
+        const std::string_view near = nearest_name(column.name, columns);
+        const std::string cure = near.empty() ? fmt::format("known here: {}", listed(columns))
+                                              : fmt::format("did you mean {}?", in_quotes(near));
+        throw InputError(column.where,
+                         fmt::format("unknown column {}; {}", in_quotes(column.name), cure));
+    }
+}
+
+double require(std::optional<double> value, const ComponentSource& source, std::string_view key,
+               std::string_view meaning) {
+    if (!value) source.fail_missing(key, meaning);
+    return *value;
+}
+
+void read_section_keys(const ComponentSource& source, Component& component) {
+    component.bending_stiffness =
+        source.quantity("bending_stiffness", dimension::bending_stiffness, positive);
+    component.torsional_stiffness =
+        source.quantity("torsional_stiffness", dimension::bending_stiffness, positive);
+    component.axial_stiffness = source.quantity("axial_stiffness", dimension::force, positive);
+    component.shear_stiffness = source.quantity("shear_stiffness", dimension::force, positive);
+    component.inertia = source.quantity("inertia", dimension::inertia_per_length, positive);
+    component.polar_inertia =
+        source.quantity("polar_inertia", dimension::inertia_per_length, positive);
+}
+
+bool all_stiffnesses_given(const Component& component) {
+    return component.bending_stiffness && component.torsional_stiffness &&
+           component.axial_stiffness && component.shear_stiffness;
+}
+
+void read_diameters(const ComponentSource& source, Component& component) {
+    const std::optional<double> outer =
+        source.quantity("outer_diameter", dimension::length, positive);
+    const bool needed =
+        !all_stiffnesses_given(component) || !component.inertia || !component.polar_inertia;
+    if (needed && !outer) {
+        source.fail_missing("outer_diameter",
+                            "a length such as \"5 in\", or all stiffnesses and inertias outright");
+    }
+    component.outer_diameter = outer.value_or(0);
+    component.inner_diameter =
+        source.quantity("inner_diameter", dimension::length, not_negative).value_or(0);
+    if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
+        source.fail("inner_diameter",
+                    fmt::format("is {} m; expected less than the outer diameter of {} m",
+                                component.inner_diameter, component.outer_diameter));
+    }
+}
+
+double read_linear_density(const ComponentSource& source, const Component& component) {
+    const std::optional<double> per_length =
+        source.quantity("linear_density", dimension::linear_density, positive);
+    const std::optional<double> per_volume =
+        source.quantity("density", dimension::density, positive);
+    if (per_length && per_volume) {
+        source.fail("density", fmt::format("excludes {}; expected one of the two",
+                                           source.path_of("linear_density")));
+    }
+    if (per_length) return *per_length;
+    const double density = require(per_volume, source, "linear_density",
+                                   "a mass per length such as \"19.5 lb/ft\", or density");
+    if (component.outer_diameter == 0) {
+        source.fail("density", "needs outer_diameter; expected linear_density without it");
+    }
+    const double outer = component.outer_diameter;
+    const double inner = component.inner_diameter;
+    return density * std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+}
+
+double read_youngs_modulus(const ComponentSource& source, const Component& component) {
+    const std::optional<double> modulus =
+        source.quantity("youngs_modulus", dimension::pressure, positive);
+    if (all_stiffnesses_given(component)) return modulus.value_or(0);
+    return require(modulus, source, "youngs_modulus",
+                   "a pressure such as \"206 GPa\", or all four stiffnesses outright");
+}
+
+PlacedComponent read_component(const ComponentSource& source) {
+    Component component;
+    component.name = source.text("name").value_or("");
+    component.length = require(source.quantity("length", dimension::length, positive), source,
+                               "length", "a length such as 9.1 or \"30 ft\"");
+    read_section_keys(source, component);
+    read_diameters(source, component);
+    component.linear_density = read_linear_density(source, component);
+    component.youngs_modulus = read_youngs_modulus(source, component);
+    component.poisson_ratio =
+        source.number("poisson_ratio", poisson_range).value_or(component.poisson_ratio);
+    component.curvature = source.curvature();
+    return {component, source.where("outer_diameter")};
+}
+
+}  // namespace
+
+std::vector<PlacedComponent> read_component_list(const Value& list) {
+    std::vector<PlacedComponent> result;
+    for (const Value& value : list.elements("a list of tables [[string.component]]")) {
+        result.push_back(read_component(TableSource(value)));
+    }
+    if (result.empty()) list.fail("is empty; expected at least one component");
+    return result;
+}
+
+std::vector<PlacedComponent> read_component_file(const std::filesystem::path& path,
+                                                 const SourceLocation& asked_at) {
+    const DelimitedTable table(read_text_file(path, asked_at), path.string());
+    refuse_unknown_columns(table);
+    std::vector<PlacedComponent> result;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        result.push_back(read_component(RowSource(table, row)));
+    }
+    if (result.empty()) {
+        throw InputError({path.string(), 0, 0},
+                         "the table has no rows; expected at least one component");
+    }
+    return result;
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,159 @@
+#include "input/value.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "input/case_document.hpp"
+#include "input/dimension_names.hpp"
+#include "input/wording.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// The value as the message shows it: itself where it is short, else its type.
+std::string as_written(const toml::node& node) {
+    if (const auto* text = node.as_string()) return in_quotes(text->get());
+    if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
+    if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* list = node.as_array()) return list->empty() ? "an empty list" : "a list";
+    if (node.is_table()) return "a table";
+    return "a date or time";
+}
+
+/// Reads the points of a schedule; `read` reads the value of a pair.
+template <class Element, class Read>
+Schedule<Element> read_points(const Value& list, std::string_view expected, const Read& read) {
+    std::vector<double> times;
+    std::vector<Element> values;
+    for (const Value& point : list.elements(expected)) {
+        const std::vector<Value> pair = point.elements(expected);
+        if (pair.size() != 2) {
+            point.fail(fmt::format("has {} entries; expected two: [time, value]", pair.size()));
+        }
+        const double time = pair[0].quantity(dimension::time);
+        if (!times.empty() && time <= times.back()) {
+            pair[0].fail(fmt::format("is time {} s after {} s; expected ascending times", time,
+                                     times.back()));
+        }
+        times.push_back(time);
+        values.push_back(read(pair[1]));
+    }
+    if (times.empty()) list.fail_expected(expected);
+    return {std::move(times), std::move(values)};
+}
+
+}  // namespace
+
+SourceLocation locate(const toml::source_region& region) {
+    const std::string file = region.path ? *region.path : std::string();
+    if (is_override_source(file)) return {file, 0, 0};
+    return {file, region.begin.line, region.begin.column};
+}
+
+void Value::fail(std::string_view problem) const {
+    throw InputError(where(), fmt::format("{} {}", path_, problem));
+}
+
+void Value::fail_expected(std::string_view expected) const {
+    fail(fmt::format("is {}; expected {}", as_written(*node_), expected));
+}
+
+void Value::fail_choice(const std::vector<std::string_view>& known) const {
+    std::string expected;
+    for (const std::string_view word : known) {
+        if (!expected.empty()) expected += " or ";
+        expected += in_quotes(word);
+    }
+    fail_expected(expected);
+}
+
+double Value::finite_number(std::string_view expected) const {
+    if (!node_->is_number()) fail_expected(expected);
+    const double value = node_->is_integer() ? static_cast<double>(node_->as_integer()->get())
+                                             : node_->as_floating_point()->get();
+    if (!std::isfinite(value)) fail_expected("a finite number");
+    return value;
+}
+
+double Value::quantity(const Dimension& dimension, const Range& range) const {
+    double value = 0;
+    if (const auto* written = node_->as_string()) {
+        try {
+            value = parse_quantity(written->get(), dimension);
+        } catch (const std::invalid_argument& problem) {
+            throw InputError(where(), fmt::format("{}: {}", path_, problem.what()));
+        }
+    } else {
+        value = finite_number(fmt::format("a number in SI or {}", describe_dimension(dimension)));
+    }
+    if (!range.contains(value)) fail_expected(range.describe());
+    return value;
+}
+
+double Value::number(const Range& range) const {
+    const double value = finite_number("a number without a unit");
+    if (!range.contains(value)) fail_expected(range.describe());
+    return value;
+}
+
+int Value::whole_number(int low, int high) const {
+    const std::string expected = fmt::format("a whole number from {} to {}", low, high);
+    const double value = finite_number(expected);
+    if (value != std::floor(value) || value < low || value > high) fail_expected(expected);
+    return static_cast<int>(value);
+}
+
+bool Value::boolean() const {
+    if (!node_->is_boolean()) fail_expected("true or false");
+    return node_->as_boolean()->get();
+}
+
+std::string Value::text() const {
+    if (!node_->is_string()) fail_expected("a text in quotes");
+    return node_->as_string()->get();
+}
+
+std::vector<Value> Value::elements(std::string_view expected) const {
+    const toml::array* list = node_->as_array();
+    if (list == nullptr) fail_expected(expected);
+    std::vector<Value> values;
+    values.reserve(list->size());
+    for (std::size_t k = 0; k < list->size(); ++k) {
+        values.emplace_back((*list)[k], fmt::format("{}.{}", path_, k));
+    }
+    return values;
+}
+
+Eigen::Vector3d Value::vector(const Dimension& dimension) const {
+    const std::vector<Value> parts = elements("a list of three values");
+    if (parts.size() != 3) {
+        fail(fmt::format("has {} entries; expected a list of three values", parts.size()));
+    }
+    Eigen::Vector3d result;
+    for (int k = 0; k < 3; ++k)
+        result[k] = parts[static_cast<std::size_t>(k)].quantity(dimension);
+    return result;
+}
+
+ScalarSchedule Value::scalar_schedule(const Dimension& dimension, const Range& range) const {
+    if (!is_list()) return quantity(dimension, range);
+    return read_points<double>(
+        *this, "a value or a list of [time, value] pairs",
+        [&](const Value& value) { return value.quantity(dimension, range); });
+}
+
+VectorSchedule Value::vector_schedule(const Dimension& dimension) const {
+    const std::string_view expected = "[x, y, z] or a list of [time, [x, y, z]] pairs";
+    const std::vector<Value> parts = elements(expected);
+    if (parts.empty()) fail_expected(expected);
+    if (!parts.front().is_list()) return vector(dimension);
+    return read_points<Eigen::Vector3d>(
+        *this, expected, [&](const Value& value) { return value.vector(dimension); });
+}
+
+}  // namespace drillstrand
