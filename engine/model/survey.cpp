@@ -33,9 +33,10 @@ std::vector<Eigen::Vector3d> station_positions(const std::vector<SurveyStation>&
     positions.reserve(survey.size());
     for (std::size_t k = 1; k < survey.size(); ++k) {
         const double length = survey[k].measured_depth - survey[k - 1].measured_depth;
-        positions.push_back(positions.back() + arc_displacement(station_tangent(survey[k - 1]),
-                                                                station_tangent(survey[k]),
-                                                                length));
+        const Eigen::Vector3d next =
+            positions.back() +
+            arc_displacement(station_tangent(survey[k - 1]), station_tangent(survey[k]), length);
+        positions.push_back(next);
     }
     return positions;
 }

@@ -52,9 +52,9 @@ class Well {
     /// one neighbour at a time: a node that moves a little finds its arc in one comparison.
     [[nodiscard]] std::size_t find_arc(const Eigen::Vector3d& point, std::size_t guess) const;
 
-    /// Cross section of arc `arc` in whose plane `point` lies, without trigonometry but for the
-    /// measured depth.
-    [[nodiscard]] WellCrossSection project(const Eigen::Vector3d& point, std::size_t arc) const;
+    /// Cross section of arc number `index` in whose plane `point` lies, without trigonometry but
+    /// for the measured depth.
+    [[nodiscard]] WellCrossSection project(const Eigen::Vector3d& point, std::size_t index) const;
 
   private:
     std::vector<WellArc> arcs_;  ///< with straight ones before the first and after the last station
