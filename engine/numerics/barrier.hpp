@@ -12,6 +12,9 @@ class Barrier {
   public:
     explicit Barrier(int threads) : threads_(threads) {}
 
+    /// Only while no thread is waiting.
+    void set_threads(int threads) { threads_ = threads; }
+
     void wait() {
         if (threads_ == 1) return;
         const unsigned generation = generation_.load(std::memory_order_relaxed);

@@ -6,8 +6,7 @@
 /// other than sqrt: they are written once, and tests and cold code call them for single nodes.
 #pragma once
 
-#if defined(DRILLSTRAND_DISPATCH) && defined(__x86_64__) && defined(__GNUC__) && \
-    !defined(__clang__)
+#if defined(DRILLSTRAND_DISPATCH) && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define DRILLSTRAND_KERNEL \
     [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), gnu::flatten]]
 #else

@@ -54,7 +54,8 @@ DRILLSTRAND_INLINE double log1p_nonnegative(double y) {
     const double z = s * s;
     double series = 1.0 / 23.0;
 #pragma GCC unroll 11
-    for (int n = 10; n >= 0; --n) series = series * z + 1.0 / (2.0 * n + 1.0);
+    for (int n = 10; n >= 0; --n)
+        series = series * z + 1.0 / (2.0 * n + 1.0);
     return e * ln2_high + (2.0 * s * series + (lost + e * ln2_low));
 }
 

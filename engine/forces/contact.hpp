@@ -1,0 +1,132 @@
+/// Contact of a node with the wall of the well: penalty normal force and friction with stick and
+/// slip. Equations, assumptions and defaults: engine/forces/README.md, "Contact".
+///
+/// Forces are per unit length. Functions of a node's own motion and spring only.
+#pragma once
+
+#include <cmath>
+
+#include "numerics/kernel.hpp"
+
+namespace drillstrand {
+
+/// How deep the pipe's surface is in the wall; negative in the open hole.
+DRILLSTRAND_INLINE double penetration(double eccentricity, double hole_radius, double pipe_radius) {
+    return eccentricity - (hole_radius - pipe_radius);
+}
+
+/// Spring and dashpot toward the axis (paper eq. 9); zero in the open hole. `least` is 0 where the
+/// wall cannot pull and minus infinity where its dashpot may (`tension = true`).
+DRILLSTRAND_INLINE double normal_force(double penetration, double velocity_r, double stiffness,
+                                       double damping, double least) {
+    const double force = stiffness * penetration - damping * velocity_r;
+    const double bounded = force > least ? force : least;
+    return penetration > 0.0 ? bounded : 0.0;
+}
+
+/// A pair of numbers along the well (l) and around it (t).
+struct Tangential {
+    double axial, azimuthal;
+};
+
+/// Velocity of the point of the pipe's surface that touches the wall.
+DRILLSTRAND_INLINE Tangential slip_velocity(double velocity_l, double velocity_t, double spin_l,
+                                            double pipe_radius) {
+    return {velocity_l, velocity_t + pipe_radius * spin_l};
+}
+
+/// Friction of one material pair. A coefficient of zero in a direction frees that direction.
+struct FrictionParameters {
+    double stiffness;  ///< k_tan (Pa)
+    Tangential fixed;  ///< static coefficients
+    Tangential slide;  ///< dynamic coefficients
+};
+
+/// The spring of a node: elongation (m) and whether the point slides (1) or sticks (0).
+struct FrictionSpring {
+    Tangential elongation;
+    double sliding;
+};
+
+/// Length of a tangential force measured in limits: 1 on the cone (an ellipse where the two
+/// coefficients differ), more outside. A direction without friction does not count.
+DRILLSTRAND_INLINE double cone_ratio(const Tangential& force, const Tangential& coefficient,
+                                     double normal) {
+    constexpr double tiny = 1e-300;
+    const double axial = coefficient.axial > 0.0 ? force.axial / coefficient.axial : 0.0;
+    const double azimuthal =
+        coefficient.azimuthal > 0.0 ? force.azimuthal / coefficient.azimuthal : 0.0;
+    return std::sqrt(axial * axial + azimuthal * azimuthal) / (normal > tiny ? normal : tiny);
+}
+
+DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tangential& coefficient,
+                                                 double scale) {
+    return {coefficient.axial > 0.0 ? v.axial * scale : 0.0,
+            coefficient.azimuthal > 0.0 ? v.azimuthal * scale : 0.0};
+}
+
+/// Coulomb's cone: force of the wall on the pipe. While the spring is held, a normal force that
+/// falls takes the friction limit with it.
+DRILLSTRAND_INLINE Tangential coulomb_force(const FrictionSpring& spring, double normal,
+                                            const FrictionParameters& p) {
+    const bool slides = spring.sliding > 0.5;
+    const Tangential coefficient = {slides ? p.slide.axial : p.fixed.axial,
+                                    slides ? p.slide.azimuthal : p.fixed.azimuthal};
+    const Tangential elastic = {-p.stiffness * spring.elongation.axial,
+                                -p.stiffness * spring.elongation.azimuthal};
+    const double ratio = cone_ratio(elastic, coefficient, normal);
+    return scaled_where_rough(elastic, coefficient, ratio > 1.0 ? 1.0 / ratio : 1.0);
+}
+
+/// Coulomb's cone: the spring after the surface point moved by `slip` (m) under the normal force
+/// `normal`. Outside the limit the point slides and the spring returns to mu_d times the normal
+/// force; it sticks again, with the static limit, when the elastic predictor falls inside.
+/// Forgotten in the open hole.
+DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
+                                                 const Tangential& slip, double normal,
+                                                 double penetration, const FrictionParameters& p) {
+    const bool slid = spring.sliding > 0.5;
+    const Tangential limit = {slid ? p.slide.axial : p.fixed.axial,
+                              slid ? p.slide.azimuthal : p.fixed.azimuthal};
+    const Tangential predictor = {spring.elongation.axial + slip.axial,
+                                  spring.elongation.azimuthal + slip.azimuthal};
+    const Tangential elastic = {p.stiffness * predictor.axial, p.stiffness * predictor.azimuthal};
+    const bool slides = cone_ratio(elastic, limit, normal) > 1.0;
+    const double sliding_ratio = cone_ratio(elastic, p.slide, normal);
+    const double scale = slides ? 1.0 / sliding_ratio : 1.0;
+    const Tangential kept = scaled_where_rough(predictor, p.slide, scale);
+    const bool touches = penetration > 0.0;
+    return {{touches ? kept.axial : 0.0, touches ? kept.azimuthal : 0.0},
+            touches && slides ? 1.0 : 0.0};
+}
+
+/// The paper's law (eqs. 10-12): force of two independent springs.
+DRILLSTRAND_INLINE Tangential paper_force(const FrictionSpring& spring,
+                                          const FrictionParameters& p) {
+    return {-p.stiffness * spring.elongation.axial, -p.stiffness * spring.elongation.azimuthal};
+}
+
+/// One of the paper's springs: past mu_s k_el dr it is shortened to mu_d k_el dr.
+DRILLSTRAND_INLINE double paper_elongation(double predictor, double elastic_normal, double fixed,
+                                           double slide, double stiffness) {
+    const bool slides = std::abs(stiffness * predictor) > fixed * elastic_normal;
+    const double shortened = std::copysign(slide * elastic_normal / stiffness, predictor);
+    return slides ? shortened : predictor;
+}
+
+/// The paper's law: the springs after the node moved by velocity_l dt along the well and turned by
+/// spin_l dt. `elastic_normal` is k_el dr. The azimuthal spring does not see the node's own motion
+/// around the well, so that a rolling pipe is still pushed: for comparison only.
+DRILLSTRAND_INLINE FrictionSpring paper_spring(const FrictionSpring& spring, const Tangential& slip,
+                                               double elastic_normal, double penetration,
+                                               const FrictionParameters& p) {
+    const double axial = paper_elongation(spring.elongation.axial + slip.axial, elastic_normal,
+                                          p.fixed.axial, p.slide.axial, p.stiffness);
+    const double azimuthal =
+        paper_elongation(spring.elongation.azimuthal + slip.azimuthal, elastic_normal,
+                         p.fixed.azimuthal, p.slide.azimuthal, p.stiffness);
+    const bool touches = penetration > 0.0;
+    return {{touches ? axial : 0.0, touches ? azimuthal : 0.0}, 0.0};
+}
+
+}  // namespace drillstrand

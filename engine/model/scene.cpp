@@ -1,0 +1,110 @@
+#include "drillstrand/scene.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "model/initial_shape.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// Restitution of a mass on a spring and dashpot that can only push, for a damping ratio: the
+/// contact ends where the force, not the compression, vanishes.
+double restitution_of(double damping_ratio) {
+    const double z = damping_ratio;
+    if (z < 1) {
+        const double rest = std::sqrt(1 - z * z);
+        return std::exp(-z / rest * (std::numbers::pi - 2 * std::asin(z)));
+    }
+    if (z == 1) return std::exp(-2.0);
+    return std::exp(-2 * z * std::acosh(z) / std::sqrt(z * z - 1));
+}
+
+/// The damping ratio that gives a restitution between 0 and 1, by bisection.
+double damping_ratio_for(double restitution) {
+    double low = 0;
+    double high = 1e6;
+    if (restitution_of(high) >= restitution) return high;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        (restitution_of(middle) > restitution ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+std::vector<double> normal_dampings(const ContactCase& contact, const StringMesh& mesh) {
+    std::vector<double> damping;
+    for (const SectionProperties& node : mesh.node) {
+        damping.push_back(contact.restitution ? 2 * damping_ratio_for(*contact.restitution) *
+                                                    std::sqrt(contact.normal_stiffness * node.mass)
+                                              : contact.normal_damping);
+    }
+    return damping;
+}
+
+/// Weight per length of a node's pipe less that of the fluid it displaces.
+double buoyed_weight(const SectionProperties& node, const std::optional<FluidCase>& fluid,
+                     double gravity) {
+    if (!fluid) return node.mass * gravity;
+    const double displaced =
+        fluid->inside == InsideOfPipe::fluid ? node.metal_area : node.outer_area;
+    return (node.mass - fluid->density * displaced) * gravity;
+}
+
+SceneFeatures features_of(const Case& input) {
+    SceneFeatures features;
+    features.well = input.well.has_value();
+    features.drag = features.well && input.fluid && input.fluid->drag && input.fluid->viscosity > 0;
+    features.damping = input.damping.internal > 0 || input.damping.external > 0;
+    return features;
+}
+
+}  // namespace
+
+Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3) {
+    const Eigen::Vector3d east = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d north = Eigen::Vector3d::UnitX();
+    const bool along_east = std::abs(d3.dot(east)) > std::cos(25 * std::numbers::pi / 180);
+    const Eigen::Vector3d& reference = along_east ? north : east;
+    const Eigen::Vector3d d1 = (reference - reference.dot(d3) * d3).normalized();
+    Eigen::Matrix3d frame;
+    frame << d3, d1, d3.cross(d1);
+    return frame;
+}
+
+Scene build_scene(const Case& input) {
+    Scene scene;
+    scene.segments = input.mesh.segments;
+    scene.mesh = mesh_string(input.string, input.mesh.segments);
+    scene.features = features_of(input);
+    scene.fluid = input.fluid;
+    scene.contact = input.contact;
+    scene.damping = input.damping;
+    scene.head = input.head;
+    scene.bit = input.bit;
+    if (input.well) {
+        scene.well.emplace(*input.well);
+        scene.normal_damping = normal_dampings(input.contact, scene.mesh);
+    }
+
+    const bool segment_inertia =
+        input.mesh.segment_inertia.value_or(input.run.integrator == IntegratorKind::leapfrog);
+    const double h = scene.mesh.length.front();
+    for (const SectionProperties& node : scene.mesh.node) {
+        scene.inertia.push_back(node.inertia + (segment_inertia ? node.mass * h * h / 12 : 0.0));
+        scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
+    }
+
+    const WellCrossSection mouth =
+        scene.well ? scene.well->at(scene.well->measured_depth_start())
+                   : WellCrossSection{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0, 0};
+    scene.head_position = input.head.position.value_or(mouth.axis);
+    scene.head_frame = frame_along(input.head.direction.value_or(mouth.direction).normalized());
+    scene.initial_strain = initial_strains(scene, input.initial);
+    scene.head_position += input.initial.offset;
+    return scene;
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,129 @@
+/// The strand equations on the staggered grid: right-hand side of momenta and stresses.
+/// Equations (paper 1-6) and their discrete form: engine/rod/README.md.
+///
+/// One evaluation has two passes over blocks with a barrier between them, because a node needs the
+/// segments on both sides and its pose needs every segment before it:
+///     segment_pass   stress rates, wrenches on the two end nodes, pose within the block
+///     node_pass      pose, weight, surroundings, momentum rates
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "drillstrand/scene.hpp"
+#include "forces/surroundings.hpp"
+#include "numerics/block_table.hpp"
+#include "rod/pose.hpp"
+
+namespace drillstrand {
+
+/// Rows of a state or of its rate: momenta per length in node entries 0..N, stresses in segment
+/// entries 0..N-1, each in the order (d3, d1, d2), angular part first.
+enum StrandRow : std::size_t {
+    angular_momentum = 0,  ///< 3 rows, Pi (kg m/s per m x m)
+    linear_momentum = 3,   ///< 3 rows, p (kg/s)
+    moment = 6,            ///< 3 rows, m (N m)
+    force = 9,             ///< 3 rows, n (N)
+    strand_rows = 12
+};
+
+/// Constants of the rod in the layout of the step loop.
+class StrandConstants {
+  public:
+    enum Row : std::size_t {
+        half_length,         // segment, h / 2 (m)
+        length,              // segment, h (m)
+        inverse_length,      // segment, 1 / h (1/m)
+        torsion,             // segment, GJ (N m2)
+        bending,             // segment, EI (N m2)
+        axial,               // segment, EA (N)
+        shear,               // segment, k G A (N)
+        torsion_compliance,  // segment, 1 / GJ
+        bending_compliance,  // segment, 1 / EI
+        axial_compliance,    // segment, 1 / EA
+        shear_compliance,    // segment, 1 / (k G A)
+        twist0,              // segment, stress-free k3 (1/m)
+        bend10,              // segment, stress-free k1 (1/m)
+        bend20,              // segment, stress-free k2 (1/m)
+        inverse_cell,        // node, 1 / length of its cell (1/m)
+        mobile_cell,         // node, length of its cell (m); 0 where its motion is prescribed
+        inverse_mass,        // node, 1 / m (m/kg)
+        inverse_polar,       // node, 1 / (rho Ip)
+        inverse_transverse,  // node, 1 / (rho I)
+        weight,              // node, buoyed weight (N/m)
+        rows
+    };
+
+    explicit StrandConstants(const Scene& scene);
+
+    [[nodiscard]] const double* row(Row row) const { return table_.row(row); }
+
+  private:
+    BlockTable table_;
+};
+
+/// What the two passes hand to each other and to the energy account.
+class StrandWorkspace {
+  public:
+    enum Row : std::size_t {
+        wrench_on_first = 0,  // 6 rows, segment: on its first node, S + h/2 ad (per cell length)
+        wrench_on_last = 6,   // 6 rows, segment: on its last node, S - h/2 ad
+        local_rotation = 12,  // 9 rows, node: turn since the first node of the block, row-major
+        local_position = 21,  // 3 rows, node: displacement since then, in that node's frame
+        rows = 24
+    };
+
+    explicit StrandWorkspace(std::size_t nodes)
+        : table(rows, nodes), block_step(table.blocks()), power(table.blocks()) {}
+
+    BlockTable table;
+    std::vector<SegmentPose> block_step;  ///< pose from a block's first node to the next block's
+    std::vector<double> power;            ///< per block, of surroundings and damping on the rod (W)
+};
+
+/// Everything about the rod that does not change in a run.
+struct StrandModel {
+    StrandConstants constants;
+    SceneFeatures features;
+    double internal_damping = 0;  ///< D_in
+    double external_damping = 0;  ///< D_ex
+    Eigen::Vector3d down{0, 0, 1};
+    std::size_t segments = 0;
+
+    explicit StrandModel(const Scene& scene);
+};
+
+/// Stress rates of the segments of blocks begin..end-1, their wrenches and block-local poses.
+/// Momenta of all nodes must be up to date.
+void segment_pass(const StrandModel& model, const BlockTable& state, BlockTable& rate,
+                  StrandWorkspace& work, std::size_t begin, std::size_t end);
+
+/// Stress that the outside imposes at an end of the rod, in body axes: the wrench of a ghost
+/// segment of no length. To be set between the two passes.
+void set_head_wrench(StrandWorkspace& work, const Vector6& stress);
+void set_bit_wrench(StrandWorkspace& work, std::size_t segments, const Vector6& stress);
+
+/// Pose of the first node of each block begin..end-1, and of the node after them, from the head's.
+/// Every caller computes the whole chain up to `end`, in the same order.
+void chain_blocks(const Pose& head, const StrandWorkspace& work, std::vector<Pose>& block_start,
+                  std::size_t end);
+
+/// Momentum rates of the nodes of blocks begin..end-1. Wrenches of all segments must be up to
+/// date, block_start of these blocks too. Writes the contact rows of `surroundings`.
+void node_pass(const StrandModel& model, const BlockTable& state, BlockTable& rate,
+               StrandWorkspace& work, const std::vector<Pose>& block_start,
+               Surroundings& surroundings, std::size_t begin, std::size_t end);
+
+/// Pose of one node, from the last segment_pass and the pose of its block's first node.
+Pose node_pose(const StrandWorkspace& work, const std::vector<Pose>& block_start, std::size_t node);
+
+/// A = diag(GJ, EI, EI, EA, kGA, kGA), and Ubar = (twist, bending 1, bending 2, 1, 0, 0).
+Vector6 stiffness_of(const SectionProperties& section);
+Vector6 stress_free_strain(const SectionProperties& section);
+
+/// Momentum (per length) or stress of one node or segment, in the order of the table.
+Vector6 momentum_of(const BlockTable& state, std::size_t node);
+Vector6 stress_of(const BlockTable& state, std::size_t segment);
+
+}  // namespace drillstrand

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <limits>
+
+#include "drillstrand/simulation.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// Times 0, interval, 2 interval, ... before the end, and the end. Counted, not summed, so that
+/// times stay exact.
+class RecordTimes {
+  public:
+    /// An interval of 0 leaves only the first and the last time.
+    RecordTimes(double interval, double end) : interval_(interval), end_(end) {}
+
+    [[nodiscard]] double next() const { return next_; }
+
+    void advance() {
+        ++count_;
+        const double time = static_cast<double>(count_) * interval_;
+        // a last interval shorter than rounding is none
+        const bool inside = interval_ > 0 && time < end_ * (1 - 1e-12);
+        next_ = next_ >= end_ ? std::numeric_limits<double>::infinity() : inside ? time : end_;
+    }
+
+  private:
+    double interval_;
+    double end_;
+    double next_ = 0;
+    long long count_ = 0;
+};
+
+}  // namespace
+
+RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer) {
+    constexpr std::int64_t steps_between_progress = 1000;
+    RecordTimes series_times(schedule.interval, schedule.duration);
+    RecordTimes profile_times(schedule.profile_interval, schedule.duration);
+    const auto record = [&] {
+        if (integrator.time() >= profile_times.next()) {
+            observer.on_profile(integrator.profile());
+            profile_times.advance();
+        }
+        if (integrator.time() >= series_times.next()) {
+            observer.on_series(integrator.series());
+            series_times.advance();
+        }
+    };
+
+    record();
+    while (integrator.time() < schedule.duration) {
+        const double next = std::min(series_times.next(), profile_times.next());
+        integrator.advance(next, steps_between_progress);
+        record();
+        if (!observer.on_progress(integrator.time(), integrator.statistics())) {
+            return RunOutcome::stopped;
+        }
+    }
+    return RunOutcome::complete;
+}
+
+}  // namespace drillstrand
