@@ -2,7 +2,6 @@
 /// The layout is listed in engine/results/README.md.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,35 +14,42 @@ namespace drillstrand {
 /// What a result file says about how it was made.
 struct ResultHeader {
     std::string title;
-    std::string case_text;
-    std::string integrator;
+    std::string case_text;   ///< the TOML as read, overrides applied
+    std::string integrator;  ///< as in the case file
     int threads = 1;
     std::vector<double> node_s;     ///< N+1 (m)
     std::vector<double> segment_s;  ///< N (m)
 };
 
-/// How a run ended; becomes root attributes.
+/// How a run ended, or how far it has come; becomes root attributes.
 struct ResultFooter {
-    std::string status;  ///< "complete", "interrupted", "failed: why"
+    std::string status = "running";  ///< "running", "complete", "interrupted", "failed: why"
     double wall_seconds = 0;
-    double energy_residual = 0;
+    double energy_residual = 0;  ///< EnergyAudit::residual()
     StepStatistics statistics;
 };
 
-/// Creates the file and appends records. Data go to disk at most 2 s after they are appended.
-/// Throws ResultError where the file cannot be written.
+/// Creates the file and appends records. The file is readable from the moment the constructor
+/// returns, also when the process is killed; its status is "running" until close().
+/// Throws ResultError where the file cannot be written: what was flushed before stays readable.
 class ResultWriter {
   public:
+    /// An existing file of that name is replaced once the new one is sound.
     ResultWriter(const std::filesystem::path& path, const ResultHeader& header);
+    /// Closes the file without a footer where close() was not called.
     ~ResultWriter();
     ResultWriter(ResultWriter&&) noexcept;
     ResultWriter& operator=(ResultWriter&&) noexcept;
 
     void append(const SeriesRecord& record);
     void append(const Profile& profile);
-    /// Flushes when the last flush is older than a second; call it often.
-    void keep_fresh();
-    /// Writes the footer and closes the file.
+    /// True where the last flush is older than a second.
+    [[nodiscard]] bool is_stale() const;
+    /// Brings the file up to date with what was appended, and its attributes with `footer`. The
+    /// file is at most 2 s old where this is called as soon as is_stale().
+    void flush(const ResultFooter& footer);
+    /// Flushes and closes the file. After an error, records that did not reach the file are given
+    /// up and the footer alone is written.
     void close(const ResultFooter& footer);
 
   private:
@@ -61,7 +67,8 @@ struct Result {
     std::vector<Profile> profiles;
 };
 
-/// Reads a result file, also one that a killed run left. Throws ResultError where it is not one.
+/// Reads a result file, also one that is being written or that a killed run left. Throws
+/// ResultError where it is not one.
 Result read_result(const std::filesystem::path& path);
 
 }  // namespace drillstrand

@@ -1,0 +1,83 @@
+#include "results/hdf5.hpp"
+
+#include <string_view>
+
+namespace drillstrand::hdf5 {
+
+namespace {
+
+/// Variable-length UTF-8: no limit of length, and readers get text rather than bytes.
+H5::StrType text_type() {
+    H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
+    type.setCset(H5T_CSET_UTF8);
+    return type;
+}
+
+H5::Attribute attribute(H5::H5Object& object, const char* name, const H5::DataType& type) {
+    if (object.attrExists(name)) return object.openAttribute(name);
+    return object.createAttribute(name, type, H5::DataSpace(H5S_SCALAR));
+}
+
+/// Picks the operating system's words out of "..., error message = 'No space left on device', ...".
+herr_t find_system_error(unsigned, const H5E_error2_t* error, void* found) {
+    constexpr std::string_view marker = "error message = '";
+    const std::string_view text = error->desc ? error->desc : "";
+    const std::size_t start = text.find(marker);
+    if (start != std::string_view::npos) {
+        const std::size_t begin = start + marker.size();
+        *static_cast<std::string*>(found) = text.substr(begin, text.find('\'', begin) - begin);
+    }
+    return 0;
+}
+
+}  // namespace
+
+QuietErrors::QuietErrors() {
+    H5::Exception::getAutoPrint(function_, &client_data_);
+    H5::Exception::dontPrint();
+}
+
+QuietErrors::~QuietErrors() {
+    H5Eset_auto2(H5E_DEFAULT, function_, client_data_);
+}
+
+std::string reason(const H5::Exception& exception) {
+    std::string found;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_system_error, &found);
+    return found.empty() ? exception.getDetailMsg() : found;
+}
+
+H5::FileAccPropList file_access() {
+    H5::FileAccPropList access;
+    access.setFcloseDegree(H5F_CLOSE_STRONG);
+    H5Pset_file_locking(access.getId(), false, true);
+    return access;
+}
+
+void write_attribute(H5::H5Object& object, const char* name, const std::string& value) {
+    const char* text = value.c_str();
+    attribute(object, name, text_type()).write(text_type(), &text);
+}
+
+void write_attribute(H5::H5Object& object, const char* name, double value) {
+    attribute(object, name, H5::PredType::IEEE_F64LE).write(H5::PredType::NATIVE_DOUBLE, &value);
+}
+
+void write_attribute(H5::H5Object& object, const char* name, std::int64_t value) {
+    attribute(object, name, H5::PredType::STD_I64LE).write(H5::PredType::NATIVE_INT64, &value);
+}
+
+void read_attribute(const H5::H5Object& object, const char* name, std::string& value) {
+    const H5::Attribute found = object.openAttribute(name);
+    found.read(found.getStrType(), value);
+}
+
+void read_attribute(const H5::H5Object& object, const char* name, double& value) {
+    object.openAttribute(name).read(H5::PredType::NATIVE_DOUBLE, &value);
+}
+
+void read_attribute(const H5::H5Object& object, const char* name, std::int64_t& value) {
+    object.openAttribute(name).read(H5::PredType::NATIVE_INT64, &value);
+}
+
+}  // namespace drillstrand::hdf5

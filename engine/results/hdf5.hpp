@@ -1,0 +1,69 @@
+/// What the result files need of HDF5, on top of its official C++ interface.
+#pragma once
+
+#include <H5Cpp.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drillstrand/error.hpp"
+#include "drillstrand/result_layout.hpp"
+
+namespace drillstrand::hdf5 {
+
+/// Keeps HDF5 from printing its errors while it lives; the caller's setting comes back after it.
+class QuietErrors {
+  public:
+    QuietErrors();
+    ~QuietErrors();
+    QuietErrors(const QuietErrors&) = delete;
+    QuietErrors& operator=(const QuietErrors&) = delete;
+
+  private:
+    H5E_auto2_t function_ = nullptr;
+    void* client_data_ = nullptr;
+};
+
+/// The reason of the last failure in one line: that of the operating system where there is one.
+std::string reason(const H5::Exception& exception);
+
+/// Calls `action`; a failure of HDF5 becomes ResultError "PATH: cannot VERB: reason".
+template <class Action>
+auto attempt(const std::filesystem::path& path, const char* verb, Action&& action) {
+    const QuietErrors quiet;
+    try {
+        return action();
+    } catch (const H5::Exception& exception) {
+        throw ResultError(path.string() + ": cannot " + verb + ": " + reason(exception));
+    }
+}
+
+/// Access as result files need it: all objects close with the file, and no lock on it, so that
+/// others can read while a run writes.
+H5::FileAccPropList file_access();
+
+/// Shape of `records` records of a dataset on a mesh of that many segments; the leading dimension
+/// is left out where records = 0 (datasets written once).
+template <class Record>
+std::vector<hsize_t> shape(const RecordDataset<Record>& dataset, hsize_t segments,
+                           hsize_t records) {
+    std::vector<hsize_t> dimensions;
+    if (records > 0) dimensions.push_back(records);
+    if (dataset.rows == Rows::nodes) dimensions.push_back(segments + 1);
+    if (dataset.rows == Rows::segments) dimensions.push_back(segments);
+    if (dataset.components > 1) dimensions.push_back(dataset.components);
+    return dimensions;
+}
+
+/// Attributes: created where they are missing, overwritten where they exist.
+void write_attribute(H5::H5Object& object, const char* name, const std::string& value);
+void write_attribute(H5::H5Object& object, const char* name, double value);
+void write_attribute(H5::H5Object& object, const char* name, std::int64_t value);
+
+void read_attribute(const H5::H5Object& object, const char* name, std::string& value);
+void read_attribute(const H5::H5Object& object, const char* name, double& value);
+void read_attribute(const H5::H5Object& object, const char* name, std::int64_t& value);
+
+}  // namespace drillstrand::hdf5

@@ -1,0 +1,171 @@
+#include <Eigen/Core>
+#include <cstdint>
+#include <type_traits>
+
+#include "drillstrand/result_layout.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// How a value of type T appears in a dataset.
+template <class T>
+struct Stored {
+    static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int64_t>);
+    static constexpr std::size_t components = 1;
+    static constexpr bool integer = std::is_integral_v<T>;
+    static void append(const T& value, std::vector<double>& out) {
+        out.push_back(static_cast<double>(value));
+    }
+    static void assign(T& value, const double* in) { value = static_cast<T>(*in); }
+};
+
+template <int size>
+struct Stored<Eigen::Matrix<double, size, 1>> {
+    using Vector = Eigen::Matrix<double, size, 1>;
+    static constexpr std::size_t components = size;
+    static constexpr bool integer = false;
+    static void append(const Vector& value, std::vector<double>& out) {
+        out.insert(out.end(), value.begin(), value.end());
+    }
+    static void assign(Vector& value, const double* in) { value = Eigen::Map<const Vector>(in); }
+};
+
+/// Dataset of the member reached through the chain of member pointers, one value per record.
+template <class Record, auto... members>
+RecordDataset<Record> value(const char* path, const char* units, const char* description) {
+    using Value = std::remove_cvref_t<decltype((std::declval<Record&>().*....*members))>;
+    return {path,
+            Rows::one,
+            Stored<Value>::components,
+            Stored<Value>::integer,
+            units,
+            description,
+            [](const Record& record, std::vector<double>& out) {
+                Stored<Value>::append((record.*....*members), out);
+            },
+            [](Record& record, const double* in, std::size_t) {
+                Stored<Value>::assign((record.*....*members), in);
+            }};
+}
+
+template <auto... members>
+RecordDataset<SeriesRecord> series(const char* path, const char* units, const char* description) {
+    return value<SeriesRecord, members...>(path, units, description);
+}
+
+/// Dataset of a member that is a vector with one value per node or segment.
+template <class Record, auto member>
+RecordDataset<Record> values(const char* path, Rows rows, const char* units,
+                             const char* description) {
+    using Value =
+        typename std::remove_cvref_t<decltype(std::declval<Record&>().*member)>::value_type;
+    return {path,
+            rows,
+            Stored<Value>::components,
+            Stored<Value>::integer,
+            units,
+            description,
+            [](const Record& record, std::vector<double>& out) {
+                for (const Value& row : record.*member)
+                    Stored<Value>::append(row, out);
+            },
+            [](Record& record, const double* in, std::size_t count) {
+                (record.*member).resize(count);
+                for (Value& row : record.*member) {
+                    Stored<Value>::assign(row, in);
+                    in += Stored<Value>::components;
+                }
+            }};
+}
+
+template <auto member>
+RecordDataset<Profile> profile(const char* path, Rows rows, const char* units,
+                               const char* description) {
+    return values<Profile, member>(path, rows, units, description);
+}
+
+constexpr const char* stress_units = "N m, N m, N m, N, N, N";
+
+}  // namespace
+
+const std::vector<RecordDataset<ResultHeader>>& mesh_datasets() {
+    static const std::vector<RecordDataset<ResultHeader>> table = {
+        values<ResultHeader, &ResultHeader::node_s>("/mesh/node_s", Rows::nodes, "m",
+                                                    "arc length of the nodes from the head, along "
+                                                    "the unstressed rod"),
+        values<ResultHeader, &ResultHeader::segment_s>("/mesh/segment_s", Rows::segments, "m",
+                                                       "arc length of the middles of the segments "
+                                                       "from the head, along the unstressed rod"),
+    };
+    return table;
+}
+
+const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
+    using R = SeriesRecord;
+    using E = EnergyAccount;
+    static const std::vector<RecordDataset<SeriesRecord>> table = {
+        series<&R::time>("/series/time", "s", "time since the start of the run"),
+        series<&R::head_stress>("/series/head_stress", stress_units,
+                                "stress of the first segment: twist moment, bending 1, bending 2, "
+                                "axial force, shear 1, shear 2"),
+        series<&R::bit_stress>("/series/bit_stress", stress_units,
+                               "stress of the last segment: twist moment, bending 1, bending 2, "
+                               "axial force, shear 1, shear 2"),
+        series<&R::head_position>("/series/head_position", "m",
+                                  "position of the first node: north, east, down"),
+        series<&R::bit_position>("/series/bit_position", "m",
+                                 "position of the last node: north, east, down"),
+        series<&R::head_rotation_rate>("/series/head_rotation_rate", "rad/s",
+                                       "rotation rate of the first node about d3"),
+        series<&R::bit_rotation_rate>("/series/bit_rotation_rate", "rad/s",
+                                      "rotation rate of the last node about d3"),
+        series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
+        series<&R::energy, &E::elastic>("/series/elastic_energy", "J",
+                                        "strain energy of the rod and of the contact springs"),
+        series<&R::energy, &E::potential>("/series/potential_energy", "J",
+                                          "potential energy of the buoyed weight, 0 at the start"),
+        series<&R::energy, &E::work>("/series/work", "J",
+                                     "work done on the string by the head, the bit and dead loads "
+                                     "since the start"),
+        series<&R::energy, &E::dissipation>("/series/dissipation", "J",
+                                            "energy dissipated in damping, fluid, contact dashpots "
+                                            "and friction since the start"),
+        series<&R::step_size>("/series/step_size", "s", "length of the last time step"),
+        series<&R::max_penetration>("/series/max_penetration", "m",
+                                    "largest penetration of the pipe into the wall"),
+        series<&R::contact_nodes>("/series/contact_nodes", "1", "number of nodes in contact"),
+    };
+    return table;
+}
+
+const std::vector<RecordDataset<Profile>>& profile_datasets() {
+    using P = Profile;
+    static const std::vector<RecordDataset<Profile>> table = {
+        value<P, &P::time>("/profiles/time", "s", "time since the start of the run"),
+        profile<&P::position>("/profiles/position", Rows::nodes, "m",
+                              "position: north, east, down"),
+        profile<&P::director>("/profiles/director", Rows::nodes, "1",
+                              "d3, the unit normal of the section, head to bit: north, east, down"),
+        profile<&P::momentum>("/profiles/momentum", Rows::nodes,
+                              "kg m/s, kg m/s, kg m/s, kg/s, kg/s, kg/s",
+                              "momentum per length in body axes: angular about d3, d1, d2, linear "
+                              "along d3, d1, d2"),
+        profile<&P::stress>("/profiles/stress", Rows::segments, stress_units,
+                            "stress in body axes: twist moment, bending 1, bending 2, axial force, "
+                            "shear 1, shear 2"),
+        profile<&P::eccentricity>("/profiles/eccentricity", Rows::nodes, "m",
+                                  "distance from the axis of the well, 0 without a well"),
+        profile<&P::well_depth>("/profiles/well_depth", Rows::nodes, "m",
+                                "measured depth of the well's section that holds the node, 0 "
+                                "without a well"),
+        profile<&P::contact_force>("/profiles/contact_force", Rows::nodes, "N/m",
+                                   "force of the wall on the pipe per length, normal and friction: "
+                                   "north, east, down"),
+        profile<&P::normal_force>("/profiles/normal_force", Rows::nodes, "N/m",
+                                  "normal force of the wall on the pipe per length, not negative"),
+    };
+    return table;
+}
+
+}  // namespace drillstrand

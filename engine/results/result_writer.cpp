@@ -1,0 +1,401 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/version.hpp"
+#include "results/hdf5.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// A frame of a profile is a chunk of its own, written once, so it is compressed. A chunk of
+/// samples is written again and again until it is full: compressed, it would grow and move each
+/// time, and its old place be taken by other data before the file's tables know of the move, so
+/// that a kill in that moment would lose the chunk. It stays as it is, in its place.
+constexpr hsize_t samples_per_chunk = 512;
+constexpr unsigned deflate_level = 4;
+constexpr auto stale_after = std::chrono::seconds(1);
+constexpr std::size_t most_pending_bytes = std::size_t{16} << 20;
+/// Room for HDF5's own tables in one flush, and for the footer of a file on a full disk.
+constexpr std::size_t metadata_bytes = std::size_t{1} << 20;
+
+namespace fs = std::filesystem;
+
+/// Owns a POSIX file descriptor.
+class FileDescriptor {
+  public:
+    FileDescriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags, 0666)) {}
+    ~FileDescriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+    [[nodiscard]] int get() const { return value_; }
+
+  private:
+    int value_;
+};
+
+[[noreturn]] void refuse(const fs::path& path, int error) {
+    throw ResultError(path.string() + ": cannot write: " + std::generic_category().message(error));
+}
+
+/// Throws where `path` exists and is not a file that may be written. HDF5's own words are vague.
+void require_writable(const fs::path& path) {
+    if (!fs::exists(path)) return;
+    if (fs::is_directory(path)) refuse(path, EISDIR);
+    if (!fs::is_regular_file(path))
+        throw ResultError(path.string() + ": cannot write: not a regular file");
+    const FileDescriptor file(path, O_WRONLY | O_CLOEXEC);
+    if (file.get() < 0) refuse(path, errno);
+}
+
+void create_empty(const fs::path& file_path, const fs::path& shown_path) {
+    const FileDescriptor file(file_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
+    if (file.get() < 0) refuse(shown_path, errno);
+}
+
+/// Throws unless `bytes` more fit on the disk. HDF5 cannot take back a write that failed half-way,
+/// so a full disk is found before it writes.
+void require_space(const fs::path& file_path, const fs::path& shown_path, std::size_t bytes) {
+    const FileDescriptor file(file_path, O_WRONLY | O_CLOEXEC);
+    // A file that was removed or renamed while the run goes on is written through HDF5's handle.
+    if (file.get() < 0) return;
+    const off_t size = ::lseek(file.get(), 0, SEEK_END);
+    const int error = ::posix_fallocate(file.get(), size, static_cast<off_t>(bytes));
+    if (::ftruncate(file.get(), size) != 0) refuse(shown_path, errno);
+    if (error != 0) refuse(shown_path, error);
+}
+
+H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
+                           const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
+                           const std::string& units, const std::string& description) {
+    const H5::DataType type =
+        integer ? H5::DataType(H5::PredType::STD_I64LE) : H5::DataType(H5::PredType::IEEE_F64LE);
+    H5::DataSet dataset = file.createDataSet(path, type, space, properties);
+    hdf5::write_attribute(dataset, "units", units);
+    hdf5::write_attribute(dataset, "description", description);
+    return dataset;
+}
+
+void write_mesh(H5::H5File& file, const ResultHeader& header) {
+    const hsize_t segments = header.segment_s.size();
+    for (const auto& entry : mesh_datasets()) {
+        const auto dimensions = hdf5::shape(entry, segments, 0);
+        const H5::DataSpace space(static_cast<int>(dimensions.size()), dimensions.data());
+        std::vector<double> values;
+        entry.append(header, values);
+        create_dataset(file, entry.path, entry.integer, space, H5::DSetCreatPropList::DEFAULT,
+                       entry.units, entry.description)
+            .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+    }
+}
+
+/// The datasets of one kind of record: they grow together, the times last, so that every time in
+/// the file has its data.
+template <class Record>
+class RecordTable {
+  public:
+    RecordTable(H5::H5File& file, const std::vector<RecordDataset<Record>>& layout,
+                hsize_t segments)
+        : layout_(&layout), segments_(segments), pending_(layout.size()) {
+        for (const auto& entry : layout) {
+            const bool is_frame = entry.rows != Rows::one;
+            const auto chunk_shape = hdf5::shape(entry, segments, is_frame ? 1 : samples_per_chunk);
+            auto initial = chunk_shape;
+            auto most = chunk_shape;
+            initial.front() = 0;
+            most.front() = H5S_UNLIMITED;
+            const int rank = static_cast<int>(chunk_shape.size());
+            H5::DSetCreatPropList properties;
+            properties.setChunk(rank, chunk_shape.data());
+            if (is_frame) {
+                properties.setShuffle();
+                properties.setDeflate(deflate_level);
+            }
+            datasets_.push_back(create_dataset(file, entry.path, entry.integer,
+                                               H5::DataSpace(rank, initial.data(), most.data()),
+                                               properties, entry.units, entry.description));
+            std::size_t chunk_values = 1;
+            for (const hsize_t extent : chunk_shape)
+                chunk_values *= extent;
+            chunk_bytes_ += chunk_values * sizeof(double);
+        }
+    }
+
+    void append(const Record& record) {
+        for (std::size_t k = 0; k < layout_->size(); ++k)
+            (*layout_)[k].append(record, pending_[k]);
+        ++pending_records_;
+    }
+
+    [[nodiscard]] std::size_t pending_bytes() const {
+        std::size_t count = 0;
+        for (const auto& values : pending_)
+            count += values.size();
+        return count * sizeof(double);
+    }
+
+    /// Most bytes that writing the pending records takes: a chunk that is written again moves to
+    /// new space.
+    [[nodiscard]] std::size_t needed_bytes() const { return chunk_bytes_ + pending_bytes(); }
+
+    void write_values() {
+        for (std::size_t k = 1; k < datasets_.size(); ++k)
+            write(k);
+    }
+
+    void write_times() {
+        write(0);
+        written_ += pending_records_;
+        for (auto& values : pending_)
+            values.clear();
+        pending_records_ = 0;
+    }
+
+    void close() {
+        for (H5::DataSet& dataset : datasets_)
+            dataset.close();
+    }
+
+  private:
+    void write(std::size_t k) {
+        if (pending_records_ == 0) return;
+        auto extent = hdf5::shape((*layout_)[k], segments_, pending_records_);
+        const int rank = static_cast<int>(extent.size());
+        const H5::DataSpace memory(rank, extent.data());
+        std::vector<hsize_t> start(extent.size(), 0);
+        start.front() = written_;
+        auto grown = extent;
+        grown.front() += written_;
+        datasets_[k].extend(grown.data());
+        H5::DataSpace target = datasets_[k].getSpace();
+        target.selectHyperslab(H5S_SELECT_SET, extent.data(), start.data());
+        datasets_[k].write(pending_[k].data(), H5::PredType::NATIVE_DOUBLE, memory, target);
+    }
+
+    const std::vector<RecordDataset<Record>>* layout_;
+    hsize_t segments_;
+    std::vector<H5::DataSet> datasets_;
+    std::vector<std::vector<double>> pending_;  ///< per dataset: values not yet in the file
+    hsize_t pending_records_ = 0;
+    hsize_t written_ = 0;
+    std::size_t chunk_bytes_ = 0;
+};
+
+H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
+    H5::H5File file(path, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, hdf5::file_access());
+    for (const char* group : {"/mesh", "/series", "/profiles"})
+        file.createGroup(group);
+    H5::Group root = file.openGroup("/");
+    hdf5::write_attribute(root, "title", header.title);
+    hdf5::write_attribute(root, "case", header.case_text);
+    hdf5::write_attribute(root, "version", version());
+    hdf5::write_attribute(root, "commit", commit());
+    hdf5::write_attribute(root, "integrator", header.integrator);
+    hdf5::write_attribute(root, "threads", std::int64_t{header.threads});
+    write_mesh(file, header);
+    return file;
+}
+
+/// Everything in HDF5 that is open while a result file is written.
+struct OpenFile {
+    H5::H5File file;
+    H5::Group root;
+    RecordTable<SeriesRecord> series;
+    RecordTable<Profile> profiles;
+
+    OpenFile(const fs::path& path, const ResultHeader& header)
+        : file(create_file(path, header)),
+          root(file.openGroup("/")),
+          series(file, series_datasets(), header.segment_s.size()),
+          profiles(file, profile_datasets(), header.segment_s.size()) {}
+
+    void write_status(const ResultFooter& footer) {
+        hdf5::write_attribute(root, "status", footer.status);
+    }
+
+    void write_numbers(const ResultFooter& footer) {
+        hdf5::write_attribute(root, "wall_seconds", footer.wall_seconds);
+        hdf5::write_attribute(root, "steps", footer.statistics.steps);
+        hdf5::write_attribute(root, "steps_rejected", footer.statistics.rejected);
+        hdf5::write_attribute(root, "evaluations", footer.statistics.evaluations);
+        hdf5::write_attribute(root, "smallest_step", footer.statistics.smallest_step);
+        hdf5::write_attribute(root, "largest_step", footer.statistics.largest_step);
+        hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
+    }
+
+    void flush() { file.flush(H5F_SCOPE_GLOBAL); }
+
+    void close() {
+        series.close();
+        profiles.close();
+        root.close();
+        file.close();
+    }
+};
+
+}  // namespace
+
+struct ResultWriter::Impl {
+    using Clock = std::chrono::steady_clock;
+
+    /// The file is made beside `target` and takes its name once it is sound, so that a start that
+    /// fails leaves an older result as it was.
+    Impl(const fs::path& target, const ResultHeader& header)
+        : shown_path_(target), file_path_(fs::weakly_canonical(target)) {
+        require_writable(file_path_);
+        fs::path fresh = file_path_;
+        fresh += ".new" + std::to_string(::getpid());
+        create_empty(fresh, shown_path_);
+        try {
+            require_space(fresh, shown_path_, metadata_bytes);
+            attempt([&] {
+                open_ = std::make_unique<OpenFile>(fresh, header);
+                open_->write_status({});
+                open_->write_numbers({});
+                open_->flush();
+            });
+            fs::rename(fresh, file_path_);
+        } catch (...) {
+            std::error_code ignored;
+            fs::remove(fresh, ignored);
+            close_quietly();
+            throw;
+        }
+    }
+
+    ~Impl() {
+        if (!open_) return;
+        try {
+            if (!failed_) write_pending();
+        } catch (const ResultError&) {
+            // What reached the file before stays readable; nobody is left to tell.
+        }
+        close_quietly();
+    }
+
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    template <class Record>
+    void append(RecordTable<Record>& table, const Record& record) {
+        table.append(record);
+        if (table.pending_bytes() > most_pending_bytes) write_pending();
+    }
+
+    void flush(const ResultFooter& footer) {
+        write_pending();
+        attempt([&] {
+            open_->write_numbers(footer);
+            open_->flush();
+        });
+    }
+
+    void close(ResultFooter footer) {
+        std::string lost;
+        if (!failed_) {
+            try {
+                write_pending();
+            } catch (const ResultError& error) {
+                lost = error.what();
+                footer.status = "failed: " + lost;
+            }
+        }
+        try {
+            attempt([&] {
+                open_->write_numbers(footer);
+                open_->write_status(footer);
+                open_->flush();
+                open_->close();
+            });
+        } catch (const ResultError& error) {
+            close_quietly();
+            if (lost.empty()) lost = error.what();
+        }
+        open_.reset();
+        if (!lost.empty()) throw ResultError(lost);
+    }
+
+    [[nodiscard]] bool is_stale() const { return Clock::now() - last_flush_ > stale_after; }
+    [[nodiscard]] OpenFile& open() { return *open_; }
+
+  private:
+    template <class Action>
+    void attempt(Action&& action) {
+        hdf5::attempt(shown_path_, "write", action);
+    }
+
+    /// Values first and times last, each on disk before the next: a file that is cut off between
+    /// them has data for every time.
+    void write_pending() {
+        last_flush_ = Clock::now();
+        failed_ = true;
+        require_space(
+            file_path_, shown_path_,
+            open_->series.needed_bytes() + open_->profiles.needed_bytes() + metadata_bytes);
+        attempt([&] {
+            open_->series.write_values();
+            open_->profiles.write_values();
+            open_->flush();
+            open_->series.write_times();
+            open_->profiles.write_times();
+            open_->flush();
+        });
+        failed_ = false;
+    }
+
+    /// HDF5 objects that cannot be closed are left to the end of the process: their destructors
+    /// would try again and print.
+    void close_quietly() {
+        if (!open_) return;
+        try {
+            attempt([&] { open_->close(); });
+            open_.reset();
+        } catch (const ResultError&) {
+            static_cast<void>(open_.release());
+        }
+    }
+
+    fs::path shown_path_;  ///< as the caller wrote it
+    fs::path file_path_;
+    std::unique_ptr<OpenFile> open_;
+    bool failed_ = false;  ///< records were lost: the pending ones no longer follow the file's
+    Clock::time_point last_flush_ = Clock::now();
+};
+
+ResultWriter::ResultWriter(const std::filesystem::path& path, const ResultHeader& header)
+    : impl_(std::make_unique<Impl>(path, header)) {}
+ResultWriter::~ResultWriter() = default;
+ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
+ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
+
+void ResultWriter::append(const SeriesRecord& record) {
+    impl_->append(impl_->open().series, record);
+}
+
+void ResultWriter::append(const Profile& profile) {
+    impl_->append(impl_->open().profiles, profile);
+}
+
+bool ResultWriter::is_stale() const {
+    return impl_->is_stale();
+}
+
+void ResultWriter::flush(const ResultFooter& footer) {
+    impl_->flush(footer);
+}
+
+void ResultWriter::close(const ResultFooter& footer) {
+    impl_->close(footer);
+}
+
+}  // namespace drillstrand

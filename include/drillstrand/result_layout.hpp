@@ -1,0 +1,40 @@
+/// The datasets of a result file, one line each: path, shape, units, meaning, and the part of a
+/// record that they hold. Writer, reader, `drillstrand info` and the table in
+/// engine/results/README.md follow these tables.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "drillstrand/records.hpp"
+#include "drillstrand/result_file.hpp"
+
+namespace drillstrand {
+
+/// How many rows of values one record has.
+enum class Rows { one, nodes, segments };
+
+/// A dataset that holds one member of Record.
+template <class Record>
+struct RecordDataset {
+    std::string path;
+    Rows rows = Rows::one;
+    std::size_t components = 1;  ///< values per row
+    bool integer = false;        ///< stored as 64-bit integers rather than doubles
+    std::string units;
+    std::string description;
+    /// Appends the values of a record, row by row.
+    void (*append)(const Record& record, std::vector<double>& values);
+    /// Sets the values of a record from `rows` rows.
+    void (*assign)(Record& record, const double* values, std::size_t rows);
+};
+
+/// Written once.
+const std::vector<RecordDataset<ResultHeader>>& mesh_datasets();
+
+/// One entry per record; the first one is the time.
+const std::vector<RecordDataset<SeriesRecord>>& series_datasets();
+const std::vector<RecordDataset<Profile>>& profile_datasets();
+
+}  // namespace drillstrand

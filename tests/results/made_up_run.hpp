@@ -1,0 +1,118 @@
+/// Records of a run that never happened, with every value different.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/result_layout.hpp"
+
+namespace drillstrand {
+
+class MadeUpRun {
+  public:
+    explicit MadeUpRun(std::size_t segments, unsigned seed = 1)
+        : segments_(segments), random_(seed) {}
+
+    ResultHeader header() {
+        ResultHeader header;
+        header.title = "Pozzo n\xc2\xb0 1, \"drilling\"";
+        header.case_text = "title = \"Pozzo\"\n" + std::string(100000, '#') + "\n";
+        header.integrator = "dormand-prince";
+        header.threads = 3;
+        fill(header, mesh_datasets());
+        return header;
+    }
+
+    ResultFooter footer(const std::string& status) {
+        ResultFooter footer;
+        footer.status = status;
+        footer.wall_seconds = number();
+        footer.energy_residual = number();
+        footer.statistics = {123456789012, 345, 740740735, number(), number()};
+        return footer;
+    }
+
+    SeriesRecord series(double time) { return record(time, series_datasets()); }
+    Profile profile(double time) { return record(time, profile_datasets()); }
+
+  private:
+    /// Any double but infinities and not-a-number, of any size.
+    double number() {
+        const double mantissa = std::uniform_real_distribution<double>(-1, 1)(random_);
+        return std::ldexp(mantissa, std::uniform_int_distribution<int>(-1080, 1000)(random_));
+    }
+
+    template <class Record>
+    void fill(Record& record, const std::vector<RecordDataset<Record>>& layout) {
+        for (const auto& entry : layout) {
+            const std::size_t rows = entry.rows == Rows::one     ? 1
+                                     : entry.rows == Rows::nodes ? segments_ + 1
+                                                                 : segments_;
+            std::vector<double> values(rows * entry.components);
+            for (double& value : values)
+                value = entry.integer ? static_cast<double>(random_() >> 1) : number();
+            entry.assign(record, values.data(), rows);
+        }
+    }
+
+    template <class Record>
+    Record record(double time, const std::vector<RecordDataset<Record>>& layout) {
+        Record record;
+        fill(record, layout);
+        record.time = time;
+        return record;
+    }
+
+    std::size_t segments_;
+    std::mt19937 random_;
+};
+
+/// Expects the same bits in every dataset of two records.
+template <class Record>
+void expect_same_bits(const Record& left, const Record& right,
+                      const std::vector<RecordDataset<Record>>& layout) {
+    for (const auto& entry : layout) {
+        std::vector<double> expected;
+        std::vector<double> found;
+        entry.append(left, expected);
+        entry.append(right, found);
+        ASSERT_EQ(expected.size(), found.size()) << entry.path;
+        EXPECT_EQ(std::memcmp(expected.data(), found.data(), expected.size() * sizeof(double)), 0)
+            << entry.path;
+    }
+}
+
+/// A folder of a test's own, gone when the test ends.
+class ScratchFolder {
+  public:
+    ScratchFolder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "drillstrand-XXXXXX").string();
+        if (!::mkdtemp(pattern.data())) throw std::runtime_error("no folder for temporary files");
+        path_ = pattern;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+        return path_ / name;
+    }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace drillstrand

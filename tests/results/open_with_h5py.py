@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+"""Opens a result file of 7 segments, 4 series times and 2 profiles as another program would."""
+
+import sys
+
+import h5py
+
+SHAPES = {
+    "/mesh/node_s": (8,),
+    "/mesh/segment_s": (7,),
+    "/series/time": (4,),
+    "/series/head_stress": (4, 6),
+    "/series/bit_stress": (4, 6),
+    "/series/head_position": (4, 3),
+    "/series/bit_position": (4, 3),
+    "/series/head_rotation_rate": (4,),
+    "/series/bit_rotation_rate": (4,),
+    "/series/kinetic_energy": (4,),
+    "/series/elastic_energy": (4,),
+    "/series/potential_energy": (4,),
+    "/series/work": (4,),
+    "/series/dissipation": (4,),
+    "/series/step_size": (4,),
+    "/series/max_penetration": (4,),
+    "/series/contact_nodes": (4,),
+    "/profiles/time": (2,),
+    "/profiles/position": (2, 8, 3),
+    "/profiles/director": (2, 8, 3),
+    "/profiles/momentum": (2, 8, 6),
+    "/profiles/stress": (2, 7, 6),
+    "/profiles/eccentricity": (2, 8),
+    "/profiles/well_depth": (2, 8),
+    "/profiles/contact_force": (2, 8, 3),
+    "/profiles/normal_force": (2, 8),
+}
+TEXTS = ["title", "case", "version", "commit", "integrator", "status"]
+NUMBERS = ["threads", "wall_seconds", "steps", "steps_rejected", "energy_residual"]
+
+with h5py.File(sys.argv[1], "r") as file:
+    for name in TEXTS:
+        assert isinstance(file.attrs[name], str) and file.attrs[name], name
+    for name in NUMBERS:
+        assert file.attrs[name].shape == (), name
+    assert file.attrs["status"] == "running"
+    for path, shape in SHAPES.items():
+        dataset = file[path]
+        assert dataset.shape == shape, (path, dataset.shape)
+        assert isinstance(dataset.attrs["units"], str) and dataset.attrs["units"], path
+        assert isinstance(dataset.attrs["description"], str) and dataset.attrs["description"], path
+        dataset[...]
+    found = []
+    file.visititems(lambda name, item: found.append("/" + name) if hasattr(item, "shape") else None)
+    assert set(found) == set(SHAPES), set(found) ^ set(SHAPES)
+    for path in found:
+        if path.startswith("/profiles") and path != "/profiles/time":
+            assert file[path].shuffle and file[path].compression_opts == 4, path
+    assert file["/series/contact_nodes"].dtype.kind == "i"
