@@ -94,8 +94,9 @@ class Override {
             if (existing != nullptr && continues(node)) {
                 descend(*existing, *node.as_table(), key_path);
             } else {
-                node.visit(
-                    [&](auto& concrete) { target.insert_or_assign(key, std::move(concrete)); });
+                node.visit([&target, &name = key](auto& concrete) {
+                    target.insert_or_assign(name, std::move(concrete));
+                });
             }
         }
     }
