@@ -22,8 +22,8 @@ std::vector<WellSectionCase> read_sections(const Value& list, double start) {
         const Value to = table.require("to", "the measured depth of the section's end");
         const double end = to.quantity(dimension::length);
         if (end <= last) {
-            to.fail(fmt::format("is {} m; expected more than {} m, where the section starts", end,
-                                last));
+            to.fail(fmt::format(
+                "is {:.9g} m; expected more than {:.9g} m, where the section starts", end, last));
         }
         last = end;
         const Value diameter = table.require("diameter", "the diameter of the hole");
@@ -50,10 +50,11 @@ void check_diameter(const WellCase& well, double top, double bottom, const std::
         const double rounding = length_rounding * bottom;
         if (top < to - rounding && bottom > from + rounding && outer_diameter >= section.diameter) {
             throw InputError(
-                where, fmt::format("{} has an outer diameter of {} m; expected less than {} m, the "
-                                   "diameter of the well from {} m to {} m",
-                                   name, outer_diameter, section.diameter, std::max(top, from),
-                                   std::min(bottom, to)));
+                where, fmt::format(
+                           "{} has an outer diameter of {:.9g} m; expected less than {:.9g} m, the "
+                           "diameter of the well from {:.9g} m to {:.9g} m",
+                           name, outer_diameter, section.diameter, std::max(top, from),
+                           std::min(bottom, to)));
         }
         from = to;
     }
@@ -114,9 +115,10 @@ void check_fit(const WellCase& well, const StringInput& input, const HeadCase& h
     const double well_length = well.survey.back().measured_depth - start;
     const double string_length = input.length();
     if (string_length > well_length * (1 + length_rounding)) {
-        throw InputError(input.where, fmt::format("the string is {} m long; expected at most {} m, "
-                                                  "the length of the surveyed well",
-                                                  string_length, well_length));
+        throw InputError(input.where,
+                         fmt::format("the string is {:.9g} m long; expected at most {:.9g} m, "
+                                     "the length of the surveyed well",
+                                     string_length, well_length));
     }
     const bool head_at_start = !head.position || head.position->isZero(0);
     double top = start;

@@ -218,7 +218,7 @@ void read_diameters(const ComponentSource& source, Component& component) {
         source.quantity("inner_diameter", dimension::length, not_negative).value_or(0);
     if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
         source.fail("inner_diameter",
-                    fmt::format("is {} m; expected less than the outer diameter of {} m",
+                    fmt::format("is {:.9g} m; expected less than the outer diameter of {:.9g} m",
                                 component.inner_diameter, component.outer_diameter));
     }
 }
@@ -286,7 +286,7 @@ std::vector<PlacedComponent> read_component_file(const std::filesystem::path& pa
         result.push_back(read_component(RowSource(table, row)));
     }
     if (result.empty()) {
-        throw InputError({path.string(), 0, 0},
+        throw InputError({path.string(), 1, 1},
                          "the table has no rows; expected at least one component");
     }
     return result;

@@ -79,7 +79,7 @@ DelimitedTable::DelimitedTable(const std::string& text, std::string file) : file
         }
     }
     if (columns_.empty()) {
-        throw InputError({file_, 0, 0}, "the table is empty; expected a header and rows");
+        throw InputError({file_, 1, 1}, "the table is empty; expected a header and rows");
     }
 }
 

@@ -63,7 +63,13 @@ class SurveyReader {
     }
 
     [[nodiscard]] double read(std::size_t row, const Column& column) const {
-        return table_.number(row, column.index) * column.factor;
+        const double value = table_.number(row, column.index) * column.factor;
+        if (!std::isfinite(value)) {
+            throw InputError(table_.where(row, column.index),
+                             fmt::format("{} is too large; expected a finite number in SI",
+                                         table_.text(row, column.index)));
+        }
+        return value;
     }
 
     [[nodiscard]] SurveyStation station(std::size_t row) const {
@@ -106,7 +112,7 @@ std::vector<SurveyStation> read_survey(const std::filesystem::path& path,
     std::vector<SurveyStation> stations = SurveyReader(table).stations();
     if (stations.size() < 2) {
         throw InputError(
-            {path.string(), 0, 0},
+            {path.string(), 1, 1},
             fmt::format("the survey has {} stations; expected at least two", stations.size()));
     }
     return stations;

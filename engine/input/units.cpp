@@ -32,7 +32,7 @@ struct Prefix {
 
 // Definitions, all exact: inch, pound and US gallon of 1959 / 231 cubic inches, standard gravity.
 constexpr double inch = 0.0254;
-constexpr double foot = 12 * inch;
+constexpr double foot = 0.3048;
 constexpr double pound = 0.45359237;
 constexpr double standard_gravity = 9.80665;
 constexpr double pound_force = pound * standard_gravity;
@@ -207,7 +207,10 @@ class UnitParser {
             result.value = number();
             skip_spaces();
         }
-        if (!has_number || starts_symbol()) result.multiply(symbol(), exponent());
+        if (!has_number || starts_symbol()) {
+            const Factor unit = symbol();
+            result.multiply(unit, exponent());
+        }
         return result;
     }
 

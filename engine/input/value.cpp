@@ -33,7 +33,7 @@ Schedule<Element> read_points(const Value& list, std::string_view expected, cons
     for (const Value& point : list.elements(expected)) {
         const std::vector<Value> pair = point.elements(expected);
         if (pair.size() != 2) {
-            point.fail(fmt::format("has {} entries; expected two: [time, value]", pair.size()));
+            point.fail(fmt::format("has {} entries; expected [time, value]", pair.size()));
         }
         const double time = pair[0].quantity(dimension::time);
         if (!times.empty() && time <= times.back()) {

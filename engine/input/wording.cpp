@@ -14,6 +14,7 @@ namespace drillstrand {
 namespace {
 
 constexpr std::size_t longest_quote = 60;  // bytes
+constexpr std::size_t shortest_part = 4;   // letters by which a part of a name is told
 constexpr int letter_edit = 4;             // a wrong, missing or added letter
 constexpr int case_edit = 1;               // the right letter in the wrong case
 
@@ -76,7 +77,11 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
             best = candidate;
         }
     }
-    return best;
+    if (!best.empty() || name.size() < shortest_part) return best;
+    const auto whole = std::find_if(
+        candidates.begin(), candidates.end(),
+        [&](std::string_view candidate) { return candidate.find(name) != std::string_view::npos; });
+    return whole == candidates.end() ? best : *whole;
 }
 
 }  // namespace drillstrand

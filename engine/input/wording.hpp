@@ -16,8 +16,8 @@ std::string on_one_line(std::string_view text);
 /// "a, b, c".
 std::string listed(std::span<const std::string_view> names);
 
-/// The candidate that differs from `name` by the fewest edits, case counting little; empty where
-/// none is close enough to be what was meant.
+/// The candidate that differs from `name` by the fewest edits, case counting little, or else one
+/// that `name` is a part of; empty where none is close enough to be what was meant.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace drillstrand

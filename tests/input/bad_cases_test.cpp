@@ -1,0 +1,317 @@
+/// Every kind of mistake in a case file gets one line that names its place and the cure.
+/// Each row changes one passage of the trial case (trial_case.hpp) and gives the whole message.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "input/trial_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+struct Mistake {
+    std::string passage;      // of the trial case
+    std::string replacement;  // what the user wrote instead
+    std::string message;
+};
+
+void expect_messages(const std::vector<Mistake>& mistakes) {
+    for (const Mistake& mistake : mistakes) {
+        SCOPED_TRACE(mistake.replacement);
+        TrialFolder folder;
+        folder.write("survey.csv", trial_survey);
+        folder.write("case.toml", replaced(trial_case, mistake.passage, mistake.replacement));
+        EXPECT_EQ(folder.message("case.toml"), mistake.message);
+    }
+}
+
+TEST(BadCases, UnknownKeysNameTheNearestKnownKey) {
+    expect_messages({
+        {R"(title = "Trial")", R"(titel = "Trial")",
+         R"(case.toml:1:1: unknown key "titel"; did you mean "title"?)"},
+        {"[run]", "[runs]", R"(case.toml:37:2: unknown key "runs"; did you mean "run"?)"},
+        {"duration = 20\n", "duration = 20\ntolerance = 1\n",
+         R"(case.toml:39:1: unknown key "run.tolerance"; did you mean "absolute_tolerance"?)"},
+        {"length = 400", "lenght = 400",
+         R"(case.toml:14:1: unknown key "string.component.0.lenght"; did you mean "length"?)"},
+        {"weight = [[5", "wieght = [[5",
+         R"(case.toml:34:1: unknown key "bit.wieght"; did you mean "weight"?)"},
+        {"viscosity = 1e-3", "Viscosity = 1e-3",
+         R"(case.toml:9:1: unknown key "fluid.Viscosity"; did you mean "viscosity"?)"},
+        {"duration = 20\n", "duration = 20\n[contact]\nfriction = 0.3\n",
+         R"(case.toml:40:1: unknown key "contact.friction"; did you mean "static_friction"?)"},
+        {"duration = 20\n", "duration = 20\n[output]\nzzzzzz = 0.3\n",
+         R"(case.toml:40:1: unknown key "output.zzzzzz"; known here: interval, profile_interval, checkpoint_interval)"},
+        {"diameter = 0.3111", "section = [{to = 500, diametre = 0.3}]",
+         R"(case.toml:5:23: unknown key "well.section.0.diametre"; did you mean "diameter"?)"},
+    });
+}
+
+TEST(BadCases, MissingKeysAreAskedForAtTheirTable) {
+    expect_messages({
+        {"duration = 20\n", "",
+         R"(case.toml:37:1: missing key "run.duration"; expected a time such as 200 or "5 min")"},
+        {"[run]\nduration = 20\n", "",
+         R"(case.toml:1:1: missing key "run"; expected a table with duration)"},
+        {"segments = 50\n", "",
+         R"(case.toml:27:1: missing key "mesh.segments"; expected a number of segments, or element_length)"},
+        {"[mesh]\nsegments = 50\n", "",
+         R"(case.toml:1:1: missing key "mesh"; expected a table with segments or element_length)"},
+        {"survey = \"survey.csv\"\n", "",
+         R"(case.toml:3:1: missing key "well.survey"; expected the name of a CSV file)"},
+        {"diameter = 0.3111\n", "",
+         R"(case.toml:3:1: missing key "well.diameter"; expected a length such as "12.25 in", or [[well.section]])"},
+        {"density = 1917\n", "",
+         R"(case.toml:7:1: missing key "fluid.density"; expected a density such as "10 ppg")"},
+        {"viscosity = 1e-3\n", "",
+         R"(case.toml:7:1: missing key "fluid.viscosity"; expected a viscosity such as "1 cP", or drag = false)"},
+        {"length = 400\n", "",
+         R"(case.toml:12:1: missing key "string.component.0.length"; expected a length such as 9.1 or "30 ft")"},
+        {"outer_diameter = \"5 in\"\n", "",
+         R"(case.toml:12:1: missing key "string.component.0.outer_diameter"; expected a length such as "5 in", or all stiffnesses and inertias outright)"},
+        {"youngs_modulus = \"206 GPa\"\n[[", "[[",
+         R"(case.toml:12:1: missing key "string.component.0.youngs_modulus"; expected a pressure such as "206 GPa", or all four stiffnesses outright)"},
+        {"linear_density = \"19.5 lb/ft\"\n", "",
+         R"(case.toml:12:1: missing key "string.component.0.linear_density"; expected a mass per length such as "19.5 lb/ft", or density)"},
+    });
+}
+
+TEST(BadCases, ValuesOfTheWrongTypeSayWhatWasExpected) {
+    expect_messages({
+        {R"(title = "Trial")", "title = 12",
+         "case.toml:1:9: title is 12; expected a text in quotes"},
+        {R"(title = "Trial")", "title = \"Trial\"\ncontact = 3",
+         "case.toml:2:11: contact is 3; expected a table [contact]"},
+        {"[mesh]\nsegments = 50\n", "mesh = 50\n",
+         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
+        {"[head]\n", "[output]\ninterval = {}\n[head]\n",
+         "case.toml:31:12: output.interval is a table; expected a number in SI or a time such as "
+         "s, min, h"},
+        {"duration = 20\n", "duration = true\n",
+         "case.toml:38:12: run.duration is true; expected a number in SI or a time such as s, min, "
+         "h"},
+        {"duration = 20\n", "duration = 2024-05-06\n",
+         "case.toml:38:12: run.duration is a date or time; expected a number in SI or a time such "
+         "as s, min, h"},
+        {"duration = 20\n", "duration = [20]\n",
+         "case.toml:38:12: run.duration is a list; expected a number in SI or a time such as s, "
+         "min, h"},
+        {"segments = 50", "segments = 50.5",
+         "case.toml:28:12: mesh.segments is 50.5; expected a whole number from 1 to 10000000"},
+        {"segments = 50", R"(segments = "50")",
+         R"(case.toml:28:12: mesh.segments is "50"; expected a whole number from 1 to 10000000)"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\ndrag = \"yes\"",
+         R"(case.toml:10:8: fluid.drag is "yes"; expected true or false)"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\ninside = \"air\"",
+         R"(case.toml:10:10: fluid.inside is "air"; expected "fluid" or "empty")"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\ninside = 1",
+         "case.toml:10:10: fluid.inside is 1; expected a text in quotes"},
+        {R"(name = "pipe")", "name = 7",
+         "case.toml:13:8: string.component.0.name is 7; expected a text in quotes"},
+        {R"(name = "pipe")", R"(poisson_ratio = "0.3")",
+         R"(case.toml:13:17: string.component.0.poisson_ratio is "0.3"; expected a number without a unit)"},
+        {"[head]", "[head]\nposition = 3",
+         "case.toml:31:12: head.position is 3; expected a list of three values"},
+        {"[head]", "[head]\nposition = [0, 0]",
+         "case.toml:31:12: head.position has 2 entries; expected a list of three values"},
+        {"[head]", "[head]\nposition = [0, 0, false]",
+         "case.toml:31:19: head.position.2 is false; expected a number in SI or a length such as "
+         "m, mm, in, ft"},
+        {"duration = 20\n", "duration = 20\n[contact]\nstatic_friction = [0.1, 0.2, 0.3]\n",
+         "case.toml:40:19: contact.static_friction has 3 entries; expected a number or [axial, "
+         "azimuthal]"},
+    });
+}
+
+TEST(BadCases, UnitsOfTheWrongKindAreNamed) {
+    expect_messages({
+        {"length = 400", R"(length = "400 kN")",
+         "case.toml:14:10: string.component.0.length: kN is a force; expected a length such as m, "
+         "mm, in, ft"},
+        {"length = 400", R"(length = "400 n")",
+         R"(case.toml:14:10: string.component.0.length: unknown unit "n"; did you mean "N"?)"},
+        {"length = 400", R"(length = "400")",
+         R"(case.toml:14:10: string.component.0.length: "400" has no unit; expected a length such as m, mm, in, ft, or a number without quotes in SI)"},
+        {"length = 400", R"(length = "long")",
+         R"(case.toml:14:10: string.component.0.length: "long" does not start with a number; expected a length such as m, mm, in, ft)"},
+        {"length = 400", R"(length = "400 furlongs")",
+         R"(case.toml:14:10: string.component.0.length: unknown unit "furlongs"; expected a length such as m, mm, in, ft)"},
+        {"torque = \"10 kN m\"\n", "torque = \"7000 ft lb\"\n",
+         "case.toml:35:10: bit.torque: ft lb is an inertia per length; expected a moment such as N "
+         "m, kN m, ft lbf (a pound of force is lbf, a kilogram of force kgf)"},
+        {"density = 1917", R"(density = "10 pgg")",
+         R"(case.toml:8:11: fluid.density: unknown unit "pgg"; did you mean "ppg"?)"},
+        {"youngs_modulus = \"206 GPa\"\n[[", "youngs_modulus = \"206 Gpa\"\n[[",
+         R"(case.toml:18:18: string.component.0.youngs_modulus: unknown unit "Gpa"; did you mean "GPa"?)"},
+        {R"("110 rpm")", R"("110 s")",
+         "case.toml:31:25: head.rotation.1.1: s is a time; expected a frequency such as rpm, Hz, "
+         "rad/s"},
+        {"diameter = 0.3111", R"(diameter = "12,25 in")",
+         R"(case.toml:5:12: well.diameter: cannot read the unit ",25 in" from ",25 in" on; expected a length such as m, mm, in, ft)"},
+        {"viscosity = 1e-3", R"(viscosity = "1 Pa /")",
+         R"(case.toml:9:13: fluid.viscosity: unit "Pa /" ends with an operator; expected a viscosity such as Pa s, mPa s, cP)"},
+    });
+}
+
+TEST(BadCases, ValuesOutOfRangeSayTheRange) {
+    expect_messages({
+        {"duration = 20\n", "duration = 0\n",
+         "case.toml:38:12: run.duration is 0; expected more than 0"},
+        {"duration = 20\n", "duration = inf\n",
+         "case.toml:38:12: run.duration is inf; expected a finite number"},
+        {"duration = 20\n", "duration = nan\n",
+         "case.toml:38:12: run.duration is nan; expected a finite number"},
+        {"duration = 20\n", "duration = \"1e999 s\"\n",
+         R"(case.toml:38:12: run.duration: "1e999 s" is not a finite number; expected a finite one)"},
+        {"duration = 20\n", "duration = \"1e308 h\"\n",
+         R"(case.toml:38:12: run.duration: "1e308 h" is too large; expected a finite number)"},
+        {"length = 400", R"(length = "-400 ft")",
+         R"(case.toml:14:10: string.component.0.length is "-400 ft"; expected more than 0)"},
+        {"segments = 50", "segments = 0",
+         "case.toml:28:12: mesh.segments is 0; expected a whole number from 1 to 10000000"},
+        {"segments = 50", "segments = 9000000000",
+         "case.toml:28:12: mesh.segments is 9000000000; expected a whole number from 1 to "
+         "10000000"},
+        {"segments = 50", "element_length = 1e-9",
+         "case.toml:28:18: mesh.element_length makes 500000000000 segments; expected at most "
+         "10000000"},
+        {R"(title = "Trial")", "title = \"Trial\"\ngravity = -9.81",
+         "case.toml:2:11: gravity is -9.81; expected at least 0"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\nfilm = 1",
+         "case.toml:10:8: fluid.film is 1; expected more than 0 and less than 1"},
+        {R"(name = "pipe")", "poisson_ratio = 0.6",
+         "case.toml:13:17: string.component.0.poisson_ratio is 0.6; expected more than -1 and at "
+         "most 0.5"},
+        {R"(inner_diameter = "3 in")", R"(inner_diameter = "8 in")",
+         "case.toml:23:18: string.component.1.inner_diameter is 0.2032 m; expected less than the "
+         "outer diameter of 0.2032 m"},
+        {"duration = 20\n", "duration = 20\ncfl = 1.5\n",
+         "case.toml:39:7: run.cfl is 1.5; expected more than 0 and at most 1"},
+        {"duration = 20\n", "duration = 20\nthreads = -1\n",
+         "case.toml:39:11: run.threads is -1; expected a whole number from 0 to 4096"},
+        {"duration = 20\n", "duration = 20\n[contact]\nrestitution = 1.1\n",
+         "case.toml:40:15: contact.restitution is 1.1; expected 0 to 1"},
+        {"duration = 20\n", "duration = 20\n[contact]\nstatic_friction = 0.3\n",
+         "case.toml:40:19: contact.static_friction is 0.3; expected at least dynamic_friction, "
+         "which is 0.42 where it is left out"},
+        {"duration = 20\n",
+         "duration = 20\n[contact]\nstatic_friction = [0.5, 0.3]\ndynamic_friction = 0.4\n",
+         "case.toml:41:20: contact.dynamic_friction is 0.4; expected at most static_friction, 0.3"},
+        {"[head]", "[head]\ndirection = [0, 0, 0]",
+         "case.toml:31:13: head.direction has no length; expected a vector that is not zero"},
+        {"torque = \"10 kN m\"\n", "torque = -1\n",
+         "case.toml:35:10: bit.torque is -1; expected at least 0"},
+    });
+}
+
+TEST(BadCases, SchedulesMustAscendInTime) {
+    expect_messages({
+        {R"([[0, 0], [2, "110 rpm"]])", R"([[2, 0], [2, "110 rpm"]])",
+         "case.toml:31:22: head.rotation.1.0 is time 2 s after 2 s; expected ascending times"},
+        {R"([[0, 0], [2, "110 rpm"]])", "[[0, 0], [2]]",
+         "case.toml:31:21: head.rotation.1 has 1 entries; expected [time, value]"},
+        {R"([[0, 0], [2, "110 rpm"]])", "[0, 2]",
+         "case.toml:31:13: head.rotation.0 is 0; expected a value or a list of [time, value] "
+         "pairs"},
+        {R"([[0, 0], [2, "110 rpm"]])", "[]",
+         "case.toml:31:12: head.rotation is an empty list; expected a value or a list of [time, "
+         "value] pairs"},
+        {R"([[0, 0], [2, "110 rpm"]])", R"([["0 m", 0]])",
+         "case.toml:31:14: head.rotation.0.0: m is a length; expected a time such as s, min, h"},
+        {"torque = \"10 kN m\"\n", "force = [[0, [0, 0, 0]], [1, [0, 0]]]\n",
+         "case.toml:35:30: bit.force.1.1 has 2 entries; expected a list of three values"},
+        {"torque = \"10 kN m\"\n", "force = [[0, [0, 0, 0]], [1, 5]]\n",
+         "case.toml:35:30: bit.force.1.1 is 5; expected a list of three values"},
+        {"torque = \"10 kN m\"\n", "force = []\n",
+         "case.toml:35:9: bit.force is an empty list; expected [x, y, z] or a list of [time, [x, "
+         "y, z]] pairs"},
+    });
+}
+
+TEST(BadCases, KeysThatExcludeEachOtherAreRefused) {
+    expect_messages({
+        {"torque = \"10 kN m\"\n", "torque = \"10 kN m\"\nfriction = 1.6\n",
+         "case.toml:36:12: bit.friction excludes bit.torque; expected one of the two"},
+        {"segments = 50", "segments = 50\nelement_length = 10",
+         "case.toml:29:18: mesh.element_length excludes mesh.segments; expected one of the two"},
+        {"density = 7850", "density = 7850\nlinear_density = 200",
+         "case.toml:24:11: string.component.1.density excludes string.component.1.linear_density; "
+         "expected one of the two"},
+        {"diameter = 0.3111", "diameter = 0.3111\nsection = [{to = 500, diameter = 0.3}]",
+         "case.toml:6:11: well.section excludes well.diameter; expected one of the two"},
+        {"duration = 20\n", "duration = 20\n[contact]\nrestitution = 0.5\nnormal_damping = 1e4\n",
+         "case.toml:40:15: contact.restitution excludes contact.normal_damping; expected one of "
+         "the two"},
+        {"[string]", "[string]\ncomponents = \"bha.csv\"",
+         "case.toml:12:14: string.components excludes string.component; expected one of the two"},
+        {"[head]", "[head]\nforce = [1, 0, 0]",
+         R"(case.toml:31:9: head.force has no effect; expected it with head.motion = "free")"},
+        {"[head]", "[head]\nmotion = \"free\"",
+         R"(case.toml:32:12: head.rotation has no effect; expected it with head.motion = "driven")"},
+    });
+}
+
+TEST(BadCases, TheStringMustFitTheWell) {
+    expect_messages({
+        {"length = 400", "length = 440",
+         "case.toml:11:1: the string is 540 m long; expected at most 520 m, the length of the "
+         "surveyed well"},
+        {"diameter = 0.3111", "diameter = 0.2",
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 0.2032 m; expected less than 0.2 m, the diameter of the well from 400 m to 500 m)"},
+        {"diameter = 0.3111",
+         R"(section = [{to = 450, diameter = 0.3}, {to = 520, diameter = "7 in"}])",
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 0.2032 m; expected less than 0.1778 m, the diameter of the well from 450 m to 500 m)"},
+        {"diameter = 0.3111", "section = [{to = 450, diameter = 0.3}, {to = 450, diameter = 0.2}]",
+         "case.toml:5:46: well.section.1.to is 450 m; expected more than 450 m, where the section "
+         "starts"},
+        {"diameter = 0.3111", "section = []",
+         "case.toml:5:11: well.section is empty; expected at least one section"},
+        {"[well]\nsurvey = \"survey.csv\"\ndiameter = 0.3111\n", "",
+         "case.toml:4:1: fluid without a well; expected a table [well] beside [fluid], or neither"},
+    });
+}
+
+TEST(BadCases, WhatIsNotAvailableYetIsRefused) {
+    expect_messages({
+        {"duration = 20\n", "duration = 20\nintegrator = \"leapfrog\"\n",
+         R"(case.toml:39:14: run.integrator asks for what is not available yet; expected "dormand-prince")"},
+        {"duration = 20\n", "duration = 20\n[initial]\nstate = \"equilibrium\"\n",
+         R"(case.toml:40:9: initial.state asks for what is not available yet; expected "coaxial")"},
+        {"duration = 20\n", "duration = 20\n[damping]\nkelvin_voigt = 1e-4\n",
+         "case.toml:40:16: damping.kelvin_voigt asks for what is not available yet; expected 0"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\nadded_mass = true",
+         "case.toml:10:14: fluid.added_mass asks for what is not available yet; expected false"},
+    });
+}
+
+TEST(BadCases, TextThatIsNotTomlIsLocated) {
+    expect_messages({
+        {"duration = 20\n", "duration = \n",
+         "case.toml:38:12: not valid TOML: Error while parsing key-value pair: expected value, saw "
+         "'\\n'"},
+        {"duration = 20\n", "duration = 20\nduration = 30\n",
+         "case.toml:39:12: not valid TOML: Error while parsing key-value pair: cannot redefine "
+         "existing integer 'duration'"},
+        {"duration = 20\n", "duration = 20 s\n",
+         "case.toml:38:15: not valid TOML: Error while parsing key-value pair: expected a comment "
+         "or whitespace, saw 's'"},
+        {R"(title = "Trial")", R"(title = "Trial)",
+         "case.toml:1:15: not valid TOML: Error while parsing string: unescaped control characters "
+         "other than TAB (U+0009) are explicitly prohibited"},
+        {R"(title = "Trial")", "title = \"Tri\377\"",
+         "case.toml:1:12: not valid TOML: Encountered invalid utf-8 sequence"},
+        {"[mesh]", "[run]\n[mesh]",
+         "case.toml:38:1: not valid TOML: Error while parsing table header: cannot redefine "
+         "existing table 'run'"},
+        {R"(survey = "survey.csv")", R"(survey = "elsewhere.csv")",
+         R"(case.toml:4:10: cannot read "elsewhere.csv": No such file or directory; expected an existing, readable file)"},
+        {R"(survey = "survey.csv")", R"(survey = ".")",
+         R"(case.toml:4:10: cannot read ".": it is a directory; expected a file)"},
+        {R"(survey = "survey.csv")", R"(survey = "survey.csv\u0000")",
+         R"(case.toml:4:10: cannot read "survey.csv ": no such file name)"},
+    });
+}
+
+}  // namespace
+}  // namespace drillstrand

@@ -1,0 +1,306 @@
+/// What a case file says arrives in SI, and what it leaves out has the documented default.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "drillstrand/error.hpp"
+#include "input/trial_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr double pi = std::numbers::pi;
+
+const std::string smallest_case = R"([string]
+[[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 8
+[run]
+duration = 1
+)";
+
+Case read_text(const std::string& text) {
+    TrialFolder folder;
+    folder.write("survey.csv", trial_survey);
+    folder.write("smallest.toml", text);
+    return folder.read("smallest.toml");
+}
+
+TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
+    const Case input = read_text(smallest_case);
+    EXPECT_EQ(input.title, "smallest");
+    EXPECT_EQ(input.path.filename(), "smallest.toml");
+    EXPECT_EQ(input.text, smallest_case);
+    EXPECT_EQ(input.gravity, 9.80665);
+    EXPECT_FALSE(input.well);
+    EXPECT_FALSE(input.fluid);
+
+    EXPECT_EQ(input.string.shear_coefficient, 1);
+    ASSERT_EQ(input.string.components.size(), 1U);
+    const Component& component = input.string.components.front();
+    EXPECT_EQ(component.name, "");
+    EXPECT_EQ(component.inner_diameter, 0);
+    EXPECT_EQ(component.poisson_ratio, 0.3);
+    EXPECT_TRUE(component.curvature.isZero(0));
+    EXPECT_FALSE(component.bending_stiffness);
+    EXPECT_FALSE(component.polar_inertia);
+
+    EXPECT_EQ(input.mesh.segments, 8);
+    EXPECT_FALSE(input.mesh.segment_inertia);
+    EXPECT_FALSE(input.head.position);
+    EXPECT_FALSE(input.head.direction);
+    EXPECT_EQ(input.head.motion, HeadMotion::driven);
+    EXPECT_EQ(input.head.rotation(5), 0);
+    EXPECT_TRUE(input.head.force(5).isZero(0));
+
+    EXPECT_EQ(input.bit.weight(5), 0);
+    EXPECT_EQ(input.bit.torque(5), 0);
+    EXPECT_FALSE(input.bit.friction);
+    EXPECT_DOUBLE_EQ(input.bit.smoothing_speed, 2 * pi / 60);
+    EXPECT_EQ(input.bit.direction, BitDirection::follower);
+    EXPECT_TRUE(input.bit.moment(5).isZero(0));
+
+    EXPECT_EQ(input.contact.normal_stiffness, 1e7);
+    EXPECT_EQ(input.contact.normal_damping, 1e5);
+    EXPECT_FALSE(input.contact.restitution);
+    EXPECT_EQ(input.contact.tangential_stiffness, 1e6);
+    EXPECT_EQ(input.contact.static_friction.axial, 0.6);
+    EXPECT_EQ(input.contact.dynamic_friction.azimuthal, 0.42);
+    EXPECT_EQ(input.contact.law, FrictionLaw::coulomb);
+    EXPECT_FALSE(input.contact.tension);
+
+    EXPECT_EQ(input.damping.internal, 0);
+    EXPECT_EQ(input.damping.external, 0);
+    EXPECT_EQ(input.damping.kelvin_voigt, 0);
+    EXPECT_EQ(input.initial.state, InitialState::coaxial);
+    EXPECT_TRUE(input.initial.curvature.isZero(0));
+    EXPECT_TRUE(input.initial.offset.isZero(0));
+
+    EXPECT_EQ(input.run.integrator, IntegratorKind::dormand_prince);
+    EXPECT_EQ(input.run.cfl, 0.9);
+    EXPECT_EQ(input.run.absolute_tolerance, 1e-7);
+    EXPECT_EQ(input.run.relative_tolerance, 1e-5);
+    EXPECT_EQ(input.run.threads, 0);
+    EXPECT_EQ(input.output.interval, 0.1);
+    EXPECT_EQ(input.output.profile_interval, 5);
+    EXPECT_EQ(input.output.checkpoint_interval, 60);
+}
+
+TEST(GoodCases, FluidInAWellHasItsDefaults) {
+    const Case input = read_trial("Trial", "Trial");
+    EXPECT_EQ(input.fluid->density, 1917);
+    EXPECT_EQ(input.fluid->viscosity, 1e-3);
+    EXPECT_EQ(input.fluid->inside, InsideOfPipe::fluid);
+    EXPECT_TRUE(input.fluid->drag);
+    EXPECT_EQ(input.fluid->axial_drag, AxialDrag::eccentric);
+    EXPECT_EQ(input.fluid->film, 0.01);
+    EXPECT_FALSE(input.fluid->added_mass);
+    EXPECT_EQ(input.bit.direction, BitDirection::well);
+    ASSERT_EQ(input.well->sections.size(), 1U);
+    EXPECT_EQ(input.well->sections[0].to, 520);
+    EXPECT_EQ(input.well->sections[0].diameter, 0.3111);
+}
+
+TEST(GoodCases, EveryKeyArrivesInSiUnits) {
+    const Case input = read_text(R"(title = "All"
+gravity = "32 ft/s2"
+[well]
+survey = "survey.csv"
+[[well.section]]
+to = "300 m"
+diameter = "17.5 in"
+[[well.section]]
+to = 520
+diameter = "12 1/4 in"
+[fluid]
+density = "10 ppg"
+viscosity = "2 cP"
+inside = "empty"
+drag = true
+axial_drag = "concentric"
+film = 0.02
+added_mass = false
+[string]
+shear_coefficient = 0.9
+[[string.component]]
+name = "given"
+length = "100 ft"
+outer_diameter = "5 in"
+inner_diameter = "4 in"
+density = "7.85 g/cm3"
+youngs_modulus = "200 GPa"
+poisson_ratio = 0
+curvature = [0.1, "3 deg/30m", 0]
+bending_stiffness = "7 kN m2"
+torsional_stiffness = 8
+axial_stiffness = "9 kN"
+shear_stiffness = 10
+inertia = 11
+polar_inertia = "12 kg m"
+[mesh]
+element_length = "10 ft"
+segment_inertia = false
+[head]
+position = [1, "2 m", 3]
+direction = [0, 3, 4]
+motion = "free"
+force = [[0, [0, 0, 0]], ["1 min", ["1 kN", 0, 0]]]
+moment = [1, 2, "3 kN m"]
+[bit]
+weight = "65 kN"
+friction = 1.6
+smoothing_speed = "2 rpm"
+direction = "follower"
+force = [1, 2, 3]
+dead_moment = [4, 5, 6]
+moment = [[0, [7, 8, 9]]]
+[contact]
+normal_stiffness = "1 MPa"
+restitution = 0.3
+tangential_stiffness = 2e6
+static_friction = [0.5, 0.4]
+dynamic_friction = 0.3
+law = "paper"
+tension = true
+[damping]
+internal = 1e-2
+external = "2 N s/m"
+kelvin_voigt = 0
+[initial]
+state = "coaxial"
+curvature = [0, 1e-4, 0]
+offset = [0, "1 mm", 0]
+[run]
+duration = "1 h"
+integrator = "dormand-prince"
+cfl = 0.5
+absolute_tolerance = 1e-8
+relative_tolerance = 1e-6
+threads = 2
+[output]
+interval = "10 ms"
+profile_interval = 0
+checkpoint_interval = "2 min"
+)");
+    EXPECT_EQ(input.title, "All");
+    EXPECT_DOUBLE_EQ(input.gravity, 32 * 0.3048);
+    ASSERT_EQ(input.well->sections.size(), 2U);
+    EXPECT_EQ(input.well->sections[0].to, 300);
+    EXPECT_DOUBLE_EQ(input.well->sections[0].diameter, 17.5 * 0.0254);
+    EXPECT_DOUBLE_EQ(input.well->sections[1].diameter, 12.25 * 0.0254);
+    EXPECT_DOUBLE_EQ(input.fluid->density, 4.5359237 / 0.003785411784);
+    EXPECT_DOUBLE_EQ(input.fluid->viscosity, 2e-3);
+    EXPECT_EQ(input.fluid->inside, InsideOfPipe::empty);
+    EXPECT_EQ(input.fluid->axial_drag, AxialDrag::concentric);
+    EXPECT_EQ(input.fluid->film, 0.02);
+
+    EXPECT_EQ(input.string.shear_coefficient, 0.9);
+    const Component& component = input.string.components.at(0);
+    EXPECT_EQ(component.name, "given");
+    EXPECT_DOUBLE_EQ(component.length, 30.48);
+    EXPECT_DOUBLE_EQ(component.outer_diameter, 0.127);
+    EXPECT_DOUBLE_EQ(component.inner_diameter, 0.1016);
+    EXPECT_DOUBLE_EQ(component.linear_density, 7850 * pi / 4 * (0.127 * 0.127 - 0.1016 * 0.1016));
+    EXPECT_EQ(component.youngs_modulus, 200e9);
+    EXPECT_EQ(component.poisson_ratio, 0);
+    EXPECT_EQ(component.curvature[0], 0.1);
+    EXPECT_DOUBLE_EQ(component.curvature[1], pi / 1800);
+    EXPECT_EQ(component.bending_stiffness, 7000);
+    EXPECT_EQ(component.torsional_stiffness, 8);
+    EXPECT_EQ(component.axial_stiffness, 9000);
+    EXPECT_EQ(component.shear_stiffness, 10);
+    EXPECT_EQ(component.inertia, 11);
+    EXPECT_EQ(component.polar_inertia, 12);
+    EXPECT_EQ(input.mesh.segments, 10);
+    EXPECT_EQ(input.mesh.segment_inertia, false);
+
+    EXPECT_EQ(*input.head.position, Eigen::Vector3d(1, 2, 3));
+    EXPECT_TRUE(input.head.direction->isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
+    EXPECT_EQ(input.head.motion, HeadMotion::free);
+    EXPECT_EQ(input.head.force(30), Eigen::Vector3d(500, 0, 0));
+    EXPECT_EQ(input.head.moment(30), Eigen::Vector3d(1, 2, 3000));
+    EXPECT_EQ(input.bit.weight(0), 65e3);
+    EXPECT_EQ(input.bit.friction, 1.6);
+    EXPECT_DOUBLE_EQ(input.bit.smoothing_speed, 4 * pi / 60);
+    EXPECT_EQ(input.bit.direction, BitDirection::follower);
+    EXPECT_EQ(input.bit.force(0), Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(input.bit.dead_moment(0), Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(input.bit.moment(0), Eigen::Vector3d(7, 8, 9));
+
+    EXPECT_EQ(input.contact.normal_stiffness, 1e6);
+    EXPECT_EQ(input.contact.restitution, 0.3);
+    EXPECT_EQ(input.contact.tangential_stiffness, 2e6);
+    EXPECT_EQ(input.contact.static_friction.axial, 0.5);
+    EXPECT_EQ(input.contact.static_friction.azimuthal, 0.4);
+    EXPECT_EQ(input.contact.dynamic_friction.azimuthal, 0.3);
+    EXPECT_EQ(input.contact.law, FrictionLaw::paper);
+    EXPECT_TRUE(input.contact.tension);
+    EXPECT_EQ(input.damping.internal, 1e-2);
+    EXPECT_EQ(input.damping.external, 2);
+    EXPECT_EQ(input.initial.curvature[1], 1e-4);
+    EXPECT_EQ(input.initial.offset[1], 1e-3);
+
+    EXPECT_EQ(input.run.duration, 3600);
+    EXPECT_EQ(input.run.cfl, 0.5);
+    EXPECT_EQ(input.run.absolute_tolerance, 1e-8);
+    EXPECT_EQ(input.run.relative_tolerance, 1e-6);
+    EXPECT_EQ(input.run.threads, 2);
+    EXPECT_DOUBLE_EQ(input.output.interval, 0.01);
+    EXPECT_EQ(input.output.profile_interval, 0);
+    EXPECT_EQ(input.output.checkpoint_interval, 120);
+}
+
+TEST(GoodCases, SchedulesAreLinearBetweenPointsAndConstantOutside) {
+    const Case input = read_trial("Trial", "Trial");
+    EXPECT_THAT(input.bit.weight.times(), ElementsAre(5, 10));
+    EXPECT_EQ(input.bit.weight(0), 0);
+    EXPECT_DOUBLE_EQ(input.bit.weight(7.5), 32500);
+    EXPECT_EQ(input.bit.weight(11), 65e3);
+    EXPECT_DOUBLE_EQ(input.head.rotation(100), 110 * 2 * pi / 60);
+    EXPECT_EQ(input.bit.torque(3), 10e3);
+}
+
+TEST(GoodCases, WholeNumbersMayBeWrittenAsReals) {
+    EXPECT_EQ(read_trial("segments = 50", "segments = 5e1").mesh.segments, 50);
+}
+
+TEST(GoodCases, ElementLengthGivesTheNearestNumberOfSegmentsAtLeastOne) {
+    EXPECT_EQ(read_trial("segments = 50", "element_length = 7").mesh.segments, 71);
+    EXPECT_EQ(read_trial("segments = 50", "element_length = 5000").mesh.segments, 1);
+}
+
+TEST(GoodCases, SectionPropertiesGivenOutrightReplacePipeAndMaterial) {
+    const Case input = read_text(replaced(smallest_case,
+                                          "outer_diameter = 0.1\nlinear_density = 20\n"
+                                          "youngs_modulus = 2e11\n",
+                                          "linear_density = 20\nbending_stiffness = 1\n"
+                                          "torsional_stiffness = 2\naxial_stiffness = 3\n"
+                                          "shear_stiffness = 4\ninertia = 5\npolar_inertia = 6\n"));
+    EXPECT_EQ(input.string.components[0].outer_diameter, 0);
+    EXPECT_EQ(input.string.components[0].youngs_modulus, 0);
+    EXPECT_EQ(input.string.components[0].shear_stiffness, 4);
+}
+
+TEST(GoodCases, StrongerComponentsFitWhereTheWellIsWide) {
+    const Case input =
+        read_trial("diameter = 0.3111",
+                   "section = [{to = 400, diameter = \"7 in\"}, {to = 520, diameter = \"9 in\"}]");
+    EXPECT_EQ(input.well->sections.size(), 2U);
+}
+
+TEST(GoodCases, WindowsLineEndsAndByteOrderMarksDoNoHarm) {
+    std::string text = "\xEF\xBB\xBF";
+    for (const char c : smallest_case)
+        text += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(read_text(text).run.duration, 1);
+}
+
+}  // namespace
+}  // namespace drillstrand
