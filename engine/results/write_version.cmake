@@ -1,3 +1,5 @@
+cmake_minimum_required(VERSION 3.25)
+
 # Writes OUTPUT, a header with the version and the git commit of SOURCE_DIR. Runs in every build and
 # touches the header only when it changes, so that a new commit recompiles one small file.
 set(commit "unknown")

@@ -1,0 +1,334 @@
+/// The program as a user meets it: each test runs the built drillstrand.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "drillstrand/error.hpp"
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/version.hpp"
+#include "results/made_up_run.hpp"
+
+namespace drillstrand {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* pipe_case = R"(title = "A pipe hangs and swings"
+[[string.component]]
+name = "pipe"
+length = 24
+outer_diameter = 0.1397
+inner_diameter = 0.1155
+linear_density = 34.2277
+youngs_modulus = "200 GPa"
+[mesh]
+segments = 8
+[head]
+direction = [1, 0, 0]
+rotation = 0
+[run]
+duration = 0.01
+integrator = "dormand-prince"
+[output]
+interval = 0.001
+profile_interval = 0.005
+)";
+
+struct Ending {
+    int code = -1;  ///< exit code, or -signal
+    std::string out;
+    std::string err;
+};
+
+std::string text_of(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// A working directory with a case in it, where the program runs.
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directory(desk());
+        write("pipe.toml", pipe_case);
+    }
+
+    [[nodiscard]] fs::path desk() const { return folder_ / "desk"; }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(desk() / name) << text;
+    }
+
+    pid_t start(std::vector<std::string> arguments) const {
+        const pid_t child = ::fork();
+        if (child != 0) return child;
+        arguments.insert(arguments.begin(), DRILLSTRAND_PROGRAM);
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments)
+            pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        redirect(STDOUT_FILENO, folder_ / "out");
+        redirect(STDERR_FILENO, folder_ / "err");
+        if (::chdir(desk().c_str()) == 0) ::execv(pointers.front(), pointers.data());
+        ::_exit(125);
+    }
+
+    [[nodiscard]] Ending ending_of(pid_t child) const {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+        return {code, text_of(folder_ / "out"), text_of(folder_ / "err")};
+    }
+
+    [[nodiscard]] Ending run(const std::vector<std::string>& arguments) const {
+        return ending_of(start(arguments));
+    }
+
+    [[nodiscard]] std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(desk()))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+    /// Starts a run that would take hours and waits until its file holds records.
+    [[nodiscard]] pid_t start_long_run() const {
+        const pid_t child = start({"run", "pipe.toml", "--set", "run.duration=100000"});
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        while (!holds_records() && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        return child;
+    }
+
+    [[nodiscard]] bool holds_records() const {
+        try {
+            return read_result(desk() / "pipe.h5").series.size() > 1;
+        } catch (const ResultError&) {
+            return false;
+        }
+    }
+
+  private:
+    static void redirect(int stream, const fs::path& path) {
+        const int file = ::open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+        ::dup2(file, stream);
+    }
+
+    ScratchFolder folder_;
+};
+
+/// One line on the error stream, beginning as every error does.
+auto is_one_error(const std::string& words) {
+    return AllOf(
+        StartsWith("drillstrand: error: "), HasSubstr(words), EndsWith("\n"),
+        testing::ResultOf(
+            [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }, 1));
+}
+
+TEST_F(Program, ARunWritesItsResultInTheWorkingDirectory) {
+    const Ending ending = run({"run", "pipe.toml"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(ending.out, "");
+    EXPECT_THAT(ending.err,
+                AllOf(HasSubstr("simulated s per s"), HasSubstr("drillstrand info pipe.h5")));
+    EXPECT_THAT(files(), ElementsAre("pipe.h5", "pipe.toml"));
+    const Result result = read_result(desk() / "pipe.h5");
+    EXPECT_EQ(result.footer.status, "complete");
+    EXPECT_EQ(result.header.title, "A pipe hangs and swings");
+    EXPECT_EQ(result.header.integrator, "dormand-prince");
+    EXPECT_EQ(result.header.case_text, pipe_case);
+    EXPECT_EQ(result.header.node_s.size(), 9U);
+    ASSERT_EQ(result.series.size(), 11U);
+    EXPECT_EQ(result.series.back().time, 0.01);
+    EXPECT_EQ(result.profiles.size(), 3U);
+    EXPECT_GT(result.footer.statistics.steps, 0);
+    EXPECT_LT(std::abs(result.footer.energy_residual), 0.01);
+}
+
+TEST_F(Program, OptionsOfARunReachTheResult) {
+    const Ending ending = run({"run", "pipe.toml", "-o", "swing.h5", "--threads", "2", "--set",
+                               "run.duration=0.002", "--set", "mesh.segments=4", "--quiet"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(files(), ElementsAre("pipe.toml", "swing.h5"));
+    const Result result = read_result(desk() / "swing.h5");
+    EXPECT_EQ(result.header.threads, 2);
+    EXPECT_EQ(result.header.segment_s.size(), 4U);
+    EXPECT_EQ(result.series.back().time, 0.002);
+}
+
+TEST_F(Program, CheckPrintsTheSceneAndWritesNothing) {
+    const Ending ending = run({"check", "pipe.toml"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("A pipe hangs and swings"),
+                                  HasSubstr("24 m (78.74 ft)"), HasSubstr("8 of 3 to 3 m"),
+                                  HasSubstr("8.056 kN (1.811 klbf)"), HasSubstr("steps")));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+}
+
+TEST_F(Program, InfoTellsHowAResultWasMade) {
+    ASSERT_EQ(run({"run", "pipe.toml"}).code, 0);
+    const Ending ending = run({"info", "pipe.h5"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out,
+                AllOf(HasSubstr("A pipe hangs and swings"), HasSubstr("complete"),
+                      HasSubstr("11, from 0 to 0.01 s"), HasSubstr("/series/head_stress[3]"),
+                      HasSubstr("/profiles/contact_force"), HasSubstr(version())));
+}
+
+TEST_F(Program, AWrongKeyIsOneLineWithItsPlaceAndNothingIsWritten) {
+    write("wrong.toml", std::string(pipe_case) + "intervall = 1\n");
+    for (const char* command : {"run", "check"}) {
+        const Ending ending = run({command, "wrong.toml"});
+        EXPECT_EQ(ending.code, 2);
+        EXPECT_THAT(ending.err, is_one_error("wrong.toml:18:"));
+        EXPECT_THAT(ending.err, HasSubstr("interval"));
+        EXPECT_THAT(files(), ElementsAre("pipe.toml", "wrong.toml"));
+    }
+}
+
+TEST_F(Program, AMissingCaseIsOneLine) {
+    const Ending ending = run({"run", "no.toml"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("no.toml"));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+}
+
+TEST_F(Program, OutputThatCannotBeIsRefused) {
+    Ending ending = run({"run", "pipe.toml", "-o", "-"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("-o -: "));
+
+    ending = run({"run", "pipe.toml", "-o", "../desk/pipe.toml"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("that is the case file"));
+
+    ending = run({"run", "pipe.toml", "-o", "."});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("Is a directory"));
+
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+    EXPECT_EQ(text_of(desk() / "pipe.toml"), pipe_case);
+}
+
+TEST_F(Program, AnErrorInTheCaseLeavesAnOlderResultAlone) {
+    ASSERT_EQ(run({"run", "pipe.toml"}).code, 0);
+    const std::string older = text_of(desk() / "pipe.h5");
+    EXPECT_EQ(run({"run", "pipe.toml", "--set", "mesh.segments=-3"}).code, 2);
+    EXPECT_EQ(text_of(desk() / "pipe.h5"), older);
+}
+
+TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
+    const std::vector<std::vector<std::string>> later = {
+        {"buckling", "pipe.toml"},
+        {"equilibrium", "pipe.toml", "-o", "e.h5"},
+        {"torque-drag", "pipe.toml"},
+        {"report", "out.h5"},
+        {"export", "out.h5", "--vtk"},
+        {"study", "study.toml"},
+        {"run", "pipe.toml", "--restart", "checkpoint.h5"}};
+    for (const auto& arguments : later) {
+        const Ending ending = run(arguments);
+        EXPECT_EQ(ending.code, 2) << arguments.front();
+        EXPECT_THAT(ending.err, is_one_error("not available in this version"));
+    }
+    const std::string help = run({"--help"}).out;
+    for (const char* word : {"buckling", "equilibrium", "torque-drag", "report", "export", "study"})
+        EXPECT_THAT(help, Not(HasSubstr(word)));
+    EXPECT_THAT(run({"run", "--help"}).out, Not(HasSubstr("restart")));
+}
+
+TEST_F(Program, AMistypedCommandLineIsOneLine) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
+        {{}, "--help"},
+        {{"rum", "pipe.toml"}, "unknown command 'rum'"},
+        {{"--verbose"}, "--verbose"},
+        {{"run"}, "CASE.toml"},
+        {{"run", "pipe.toml", "--fast"}, "--fast"},
+        {{"run", "pipe.toml", "--threads", "many"}, "many"},
+        {{"run", "pipe.toml", "--threads", "-2"}, "-2"},
+        {{"run", "pipe.toml", "--set", "run.duration"}, "key.path=value"},
+        {{"info"}, "OUT.h5"}};
+    for (const auto& [arguments, words] : mistakes) {
+        const Ending ending = run(arguments);
+        EXPECT_EQ(ending.code, 2) << words;
+        EXPECT_THAT(ending.err, is_one_error(words));
+        EXPECT_EQ(ending.out, "");
+    }
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+}
+
+TEST_F(Program, HelpAndVersionAreEverywhere) {
+    const std::vector<std::vector<std::string>> commands = {{}, {"run"}, {"check"}, {"info"}};
+    for (std::vector<std::string> arguments : commands) {
+        arguments.emplace_back("--version");
+        Ending ending = run(arguments);
+        EXPECT_EQ(ending.code, 0);
+        EXPECT_EQ(ending.out, "drillstrand " + version() + " (" + commit() + ")\n");
+        arguments.back() = "--help";
+        ending = run(arguments);
+        EXPECT_EQ(ending.code, 0);
+        EXPECT_THAT(ending.out, HasSubstr("Usage: drillstrand"));
+        EXPECT_THAT(ending.err, IsEmpty());
+    }
+}
+
+TEST_F(Program, InfoOnSomethingElseIsOneLine) {
+    Ending ending = run({"info", "pipe.toml"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("not a result file"));
+    ending = run({"info", "no.h5"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("No such file"));
+}
+
+class Interrupted : public Program, public testing::WithParamInterface<int> {};
+
+TEST_P(Interrupted, ARunEndsInOrder) {
+    const pid_t child = start_long_run();
+    ASSERT_EQ(::kill(child, GetParam()), 0);
+    const Ending ending = ending_of(child);
+    EXPECT_EQ(ending.code, 130);
+    const Result result = read_result(desk() / "pipe.h5");
+    EXPECT_EQ(result.footer.status, "interrupted");
+    EXPECT_GT(result.footer.statistics.steps, 0);
+    ASSERT_GT(result.series.size(), 1U);
+    std::ostringstream reached;
+    reached << "results up to " << result.series.back().time << " s are complete in pipe.h5";
+    EXPECT_THAT(ending.err, HasSubstr(reached.str()));
+}
+
+INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, testing::Values(SIGINT, SIGTERM));
+
+TEST_F(Program, AKilledRunLeavesAReadableFile) {
+    const pid_t child = start_long_run();
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    EXPECT_EQ(ending_of(child).code, -SIGKILL);
+    const Result result = read_result(desk() / "pipe.h5");
+    EXPECT_EQ(result.footer.status, "running");
+    EXPECT_GT(result.series.size(), 1U);
+    EXPECT_GT(result.footer.statistics.steps, 0);
+    EXPECT_THAT(run({"info", "pipe.h5"}).out, HasSubstr("running, or killed before its end"));
+}
+
+}  // namespace
+}  // namespace drillstrand

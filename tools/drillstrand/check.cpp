@@ -1,0 +1,303 @@
+/// drillstrand check: prints the scene of a case in plain words, with the cost of its run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "commands.hpp"
+#include "drillstrand/case.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/scene.hpp"
+#include "drillstrand/well.hpp"
+#include "integrator_choice.hpp"
+#include "step_estimate.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+constexpr double foot = 0.3048;                                  // m
+constexpr double inch = 0.0254;                                  // m
+constexpr double thousand_pounds_force = 4448.2216;              // N
+constexpr double pound_per_foot = 1.4881639;                     // kg/m
+constexpr double pound_per_gallon = 119.826427;                  // kg/m3
+constexpr double foot_pound_force = 1.3558179;                   // N m
+constexpr double degree = std::numbers::pi / 180;                // rad
+constexpr double revolution_per_minute = std::numbers::pi / 30;  // rad/s
+
+std::string length_text(double metres) {
+    return fmt::format("{:.6g} m ({:.5g} ft)", metres, metres / foot);
+}
+
+std::string diameter_text(double metres) {
+    return fmt::format("{:.5g} m ({:.4g} in)", metres, metres / inch);
+}
+
+std::string force_text(double newtons) {
+    return fmt::format("{:.4g} kN ({:.4g} klbf)", newtons / 1000, newtons / thousand_pounds_force);
+}
+
+/// One line of the report: a name and what there is to say.
+void line(const std::string& name, const std::string& text) {
+    fmt::print("  {:<16} {}\n", name, text);
+}
+
+/// The larger of |value| over a schedule (piecewise linear, so at one of its points).
+double largest(const ScalarSchedule& schedule) {
+    double most = 0;
+    for (const double value : schedule.values())
+        most = std::max(most, std::abs(value));
+    return most;
+}
+
+double largest(const VectorSchedule& schedule) {
+    double most = 0;
+    for (const Eigen::Vector3d& value : schedule.values())
+        most = std::max(most, value.norm());
+    return most;
+}
+
+std::string range_text(const std::vector<SectionProperties>& sections,
+                       double SectionProperties::*property, const char* unit) {
+    double least = sections.front().*property;
+    double most = least;
+    for (const SectionProperties& section : sections) {
+        least = std::min(least, section.*property);
+        most = std::max(most, section.*property);
+    }
+    // Means over segments differ in the last digit.
+    if (most - least <= 1e-9 * most) return fmt::format("{:.4g} {}", least, unit);
+    return fmt::format("{:.4g} to {:.4g} {}", least, most, unit);
+}
+
+void print_component(const Component& component) {
+    std::string text = length_text(component.length);
+    if (component.outer_diameter > 0)
+        text += fmt::format(", {} outside, {} inside", diameter_text(component.outer_diameter),
+                            diameter_text(component.inner_diameter));
+    text += fmt::format(", {:.5g} kg/m ({:.4g} lb/ft)", component.linear_density,
+                        component.linear_density / pound_per_foot);
+    line("  " + component.name, text);
+}
+
+void print_string(const Case& input, const Scene& scene) {
+    const StringMesh& mesh = scene.mesh;
+    double mass = 0;
+    double buoyed = 0;
+    for (std::size_t k = 0; k < mesh.cell.size(); ++k) {
+        mass += mesh.node[k].mass * mesh.cell[k];
+        buoyed += scene.weight[k] * mesh.cell[k];
+    }
+    fmt::print("String\n");
+    line("length", fmt::format("{}, {} component{}, head to bit:", length_text(mesh.node_s.back()),
+                               input.string.components.size(),
+                               input.string.components.size() == 1 ? "" : "s"));
+    for (const Component& component : input.string.components)
+        print_component(component);
+    line("weight",
+         fmt::format("{} in air, {} buoyed", force_text(mass * input.gravity), force_text(buoyed)));
+    line("axial", range_text(mesh.segment, &SectionProperties::axial_stiffness, "N"));
+    line("shear", range_text(mesh.segment, &SectionProperties::shear_stiffness, "N"));
+    line("bending", range_text(mesh.segment, &SectionProperties::bending_stiffness, "N m2"));
+    line("torsion", range_text(mesh.segment, &SectionProperties::torsional_stiffness, "N m2"));
+}
+
+double largest_curvature(const WellCase& well) {
+    const std::vector<double> doglegs = dogleg_severities(well.survey);
+    return doglegs.empty() ? 0 : *std::max_element(doglegs.begin(), doglegs.end());
+}
+
+/// Radius of the well less that of the pipe at each node, with the string lying in the well (m).
+std::vector<double> clearances(const Scene& scene) {
+    const Well& well = *scene.well;
+    const std::size_t arc = well.find_arc(scene.head_position, well.arc_at(0));
+    const double head_depth = well.project(scene.head_position, arc).measured_depth;
+    std::vector<double> clearances;
+    for (std::size_t k = 0; k < scene.mesh.node_s.size(); ++k)
+        clearances.push_back(well.at(head_depth + scene.mesh.node_s[k]).radius -
+                             scene.mesh.node[k].outer_radius);
+    return clearances;
+}
+
+void print_well(const Case& input, const Scene& scene) {
+    fmt::print("Well\n");
+    if (!input.well) {
+        line("none", "no contact, no fluid");
+        return;
+    }
+    const std::vector<SurveyStation>& survey = input.well->survey;
+    const auto steepest = std::max_element(
+        survey.begin(), survey.end(),
+        [](const auto& left, const auto& right) { return left.inclination < right.inclination; });
+    const std::vector<double> gaps = clearances(scene);
+    const auto tightest = std::min_element(gaps.begin(), gaps.end());
+    line("survey", fmt::format("{} stations, {} to {}", survey.size(),
+                               length_text(survey.front().measured_depth),
+                               length_text(survey.back().measured_depth)));
+    line("vertical depth",
+         length_text(station_positions(survey).back().z()) + " between its first and last station");
+    line("inclination", fmt::format("up to {:.4g} deg, at {}", steepest->inclination / degree,
+                                    length_text(steepest->measured_depth)));
+    line("dogleg", fmt::format("up to {:.3g} deg/30 m ({:.3g} deg/100 ft)",
+                               largest_curvature(*input.well) * 30 / degree,
+                               largest_curvature(*input.well) * 100 * foot / degree));
+    for (const WellSectionCase& section : input.well->sections)
+        line("diameter",
+             std::isfinite(section.to)
+                 ? fmt::format("{} to {}", diameter_text(section.diameter), length_text(section.to))
+                 : diameter_text(section.diameter));
+    line("clearance",
+         fmt::format("at least {:.4g} m, {:.5g} m from the head", *tightest,
+                     scene.mesh.node_s[static_cast<std::size_t>(tightest - gaps.begin())]));
+}
+
+void print_fluid(const Scene& scene) {
+    if (!scene.fluid) return;
+    line("fluid",
+         fmt::format("{:.5g} kg/m3 ({:.4g} ppg), {:.4g} Pa s ({:.4g} cP), {} the pipe, {}",
+                     scene.fluid->density, scene.fluid->density / pound_per_gallon,
+                     scene.fluid->viscosity, scene.fluid->viscosity * 1000,
+                     scene.fluid->inside == InsideOfPipe::fluid ? "also inside" : "not inside",
+                     scene.features.drag ? "with drag" : "buoyancy only"));
+}
+
+void print_contact(const Scene& scene) {
+    if (!scene.features.well) return;
+    const ContactCase& contact = scene.contact;
+    line("contact", contact.restitution
+                        ? fmt::format("{:.4g} Pa, restitution {:.3g}", contact.normal_stiffness,
+                                      *contact.restitution)
+                        : fmt::format("{:.4g} Pa, damping {:.4g} Pa s", contact.normal_stiffness,
+                                      contact.normal_damping));
+    line("friction",
+         fmt::format("law {}, static {:.3g} axial {:.3g} azimuthal, dynamic {:.3g} and {:.3g}",
+                     contact.law == FrictionLaw::paper ? "paper" : "coulomb",
+                     contact.static_friction.axial, contact.static_friction.azimuthal,
+                     contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal));
+}
+
+void print_loads(const Scene& scene) {
+    fmt::print("Loads and motion\n");
+    if (scene.head.motion == HeadMotion::driven) {
+        const double speed = largest(scene.head.rotation);
+        line("head", fmt::format("held in place, rotation up to {:.4g} rad/s ({:.4g} rpm)", speed,
+                                 speed / revolution_per_minute));
+    } else {
+        line("head", fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
+                                 largest(scene.head.force), largest(scene.head.moment)));
+    }
+    const BitCase& bit = scene.bit;
+    line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
+                                   bit.direction == BitDirection::well ? "well" : "string"));
+    if (bit.friction)
+        line("bit torque",
+             fmt::format("friction {:.3g} times pi R/4 times the weight", *bit.friction));
+    else
+        line("bit torque",
+             fmt::format("up to {:.4g} kN m ({:.4g} klbf ft)", largest(bit.torque) / 1000,
+                         largest(bit.torque) / 1000 / foot_pound_force));
+    if (largest(bit.force) > 0) line("dead force", fmt::format("{:.4g} N", largest(bit.force)));
+    if (largest(bit.dead_moment) > 0)
+        line("dead couple", fmt::format("{:.4g} N m", largest(bit.dead_moment)));
+    if (largest(bit.moment) > 0)
+        line("follower couple", fmt::format("{:.4g} N m", largest(bit.moment)));
+    if (scene.features.damping)
+        line("damping", fmt::format("internal {:.3g} N s/m, external {:.3g}",
+                                    scene.damping.internal, scene.damping.external));
+}
+
+void print_mesh(const Scene& scene) {
+    const auto [least, most] =
+        std::minmax_element(scene.mesh.length.begin(), scene.mesh.length.end());
+    fmt::print("Mesh\n");
+    line("segments", fmt::format("{} of {:.5g} to {:.5g} m", scene.segments, *least, *most));
+}
+
+void print_cost(const Case& input, const Scene& scene) {
+    const StepEstimate estimate = estimate_step(input, scene);
+    const double evaluations = estimate.steps * estimate.evaluations;
+    const double seconds = evaluations * time_evaluation(input, scene);
+    const int threads = integrator_options(input.run).threads;
+    fmt::print("Run\n");
+    line("duration",
+         fmt::format(
+             "{:.6g} s, {}, {} thread{}", input.run.duration,
+             input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince",
+             threads, threads == 1 ? "" : "s"));
+    line("time step", fmt::format("about {:.2g} s, bounded by {} ({:.2g} rad/s)", estimate.step,
+                                  estimate.process, estimate.rate));
+    line("cost",
+         fmt::format("about {} steps, {} evaluations: about {} at the speed of the first "
+                     "steps on this machine",
+                     count_text(estimate.steps), count_text(evaluations), duration_text(seconds)));
+}
+
+void warn(const std::string& text) {
+    fmt::print("Warning: {}\n", text);
+}
+
+/// A helix under compression F has a pitch of sqrt(8 pi^2 EI / F); eight segments draw one turn.
+void warn_of_coarse_mesh(const Scene& scene) {
+    const double force = largest(scene.bit.weight);
+    if (force == 0) return;
+    double worst = 0;
+    double pitch_there = 0;
+    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
+        const double stiffness = scene.mesh.segment[k].bending_stiffness;
+        const double pitch = std::sqrt(8 * std::pow(std::numbers::pi, 2) * stiffness / force);
+        if (scene.mesh.length[k] / pitch < worst) continue;
+        worst = scene.mesh.length[k] / pitch;
+        pitch_there = pitch;
+    }
+    if (worst > 1.0 / 8)
+        warn(
+            fmt::format("a segment is {:.3g} m long where a helix under the largest bit weight has "
+                        "a pitch of {:.3g} m; segments of at most {:.3g} m would draw it",
+                        worst * pitch_there, pitch_there, pitch_there / 8));
+}
+
+/// Contact acts at nodes: between them a pipe in a bend cuts the corner by h^2 curvature / 8.
+void warn_of_cut_corners(const Case& input, const Scene& scene) {
+    if (!input.well) return;
+    const double length = *std::max_element(scene.mesh.length.begin(), scene.mesh.length.end());
+    const double sagitta = length * length * largest_curvature(*input.well) / 8;
+    const std::vector<double> gaps = clearances(scene);
+    const double clearance = *std::min_element(gaps.begin(), gaps.end());
+    constexpr double noticeable = 0.25;
+    if (sagitta > noticeable * clearance)
+        warn(
+            fmt::format("between nodes the pipe may cut the corner of the sharpest bend by {:.2g} "
+                        "m, with a clearance of {:.2g} m; more segments would cure it",
+                        sagitta, clearance));
+}
+
+void warn_of_paper_friction(const Scene& scene) {
+    if (!scene.features.well || scene.contact.law != FrictionLaw::paper) return;
+    warn(
+        "contact.law = \"paper\" does not see how the pipe rolls, so that a whirling string can "
+        "gain "
+        "energy without bound; it is for comparison only, \"coulomb\" has no such fault");
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+    const Case input = read_case(options.case_path, options.overrides);
+    const Scene scene = build_scene(input);
+    fmt::print("{}: {}\n", options.case_path.string(), input.title);
+    print_string(input, scene);
+    print_well(input, scene);
+    print_fluid(scene);
+    print_contact(scene);
+    print_loads(scene);
+    print_mesh(scene);
+    print_cost(input, scene);
+    warn_of_coarse_mesh(scene);
+    warn_of_cut_corners(input, scene);
+    warn_of_paper_friction(scene);
+    return done;
+}
+
+}  // namespace drillstrand::program

@@ -1,0 +1,42 @@
+/// The subcommands. Each returns the exit code of the program; errors are exceptions.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drillstrand::program {
+
+/// Exit codes of the program.
+enum ExitCode { done = 0, simulation_failed = 1, wrong_input = 2, interrupted = 130 };
+
+/// The command line is wrong; what() is one line.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+struct RunOptions {
+    std::filesystem::path case_path;
+    std::filesystem::path output;  ///< empty: the case's stem + .h5 in the working directory
+    int threads = -1;              ///< -1: as the case says; 0: all cores
+    Overrides overrides;
+    bool quiet = false;
+};
+
+int run(const RunOptions& options);
+
+struct CheckOptions {
+    std::filesystem::path case_path;
+    Overrides overrides;
+};
+
+int check(const CheckOptions& options);
+
+int info(const std::filesystem::path& result_path);
+
+}  // namespace drillstrand::program

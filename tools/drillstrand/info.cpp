@@ -1,0 +1,109 @@
+/// drillstrand info: what a result file holds, and how it was made.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands.hpp"
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/result_layout.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+template <class Record>
+std::string times_text(const std::vector<Record>& records) {
+    if (records.empty()) return "none";
+    return fmt::format("{}, from {:.6g} to {:.6g} s", records.size(), records.front().time,
+                       records.back().time);
+}
+
+std::string status_text(const std::string& status) {
+    if (status != "running") return status;
+    return "running, or killed before its end";
+}
+
+void print_origin(const std::filesystem::path& path, const Result& result) {
+    const ResultFooter& footer = result.footer;
+    const StepStatistics& statistics = footer.statistics;
+    fmt::print("{}\n", path.string());
+    fmt::print("  title            {}\n", result.header.title);
+    fmt::print("  status           {}\n", status_text(footer.status));
+    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
+    fmt::print("  integrator       {}, {} thread{}\n", result.header.integrator,
+               result.header.threads, result.header.threads == 1 ? "" : "s");
+    fmt::print("  wall time        {}\n", duration_text(footer.wall_seconds));
+    fmt::print("  steps            {} accepted, {} rejected, of {:.3g} to {:.3g} s\n",
+               statistics.steps, statistics.rejected, statistics.smallest_step,
+               statistics.largest_step);
+    fmt::print("  energy residual  {:.2g} %\n", 100 * footer.energy_residual);
+}
+
+void print_contents(const Result& result) {
+    fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
+               result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
+    fmt::print("  series times     {}\n", times_text(result.series));
+    fmt::print("  profile times    {}\n", times_text(result.profiles));
+}
+
+/// Component `k` of a comma-separated list of units, or the one unit of all components.
+std::string unit_of(const std::string& units, std::size_t k) {
+    if (units.find(',') == std::string::npos) return units;
+    std::size_t start = 0;
+    for (; k > 0; --k)
+        start = units.find(',', start) + 2;
+    return units.substr(start, units.find(',', start) - start);
+}
+
+void print_ranges(const RecordDataset<SeriesRecord>& entry,
+                  const std::vector<SeriesRecord>& records) {
+    std::vector<double> values;
+    for (const SeriesRecord& record : records)
+        entry.append(record, values);
+    for (std::size_t component = 0; component < entry.components; ++component) {
+        double least = INFINITY;
+        double most = -INFINITY;
+        for (std::size_t k = component; k < values.size(); k += entry.components) {
+            least = std::min(least, values[k]);
+            most = std::max(most, values[k]);
+        }
+        const double last = values[values.size() - entry.components + component];
+        const std::string name =
+            entry.components == 1 ? entry.path : fmt::format("{}[{}]", entry.path, component);
+        fmt::print("  {:<28} {:>13.6g} {:>13.6g} {:>13.6g}  {}\n", name, least, most, last,
+                   unit_of(entry.units, component));
+    }
+}
+
+void print_series(const std::vector<SeriesRecord>& records) {
+    if (records.empty()) return;
+    fmt::print("\n  {:<28} {:>13} {:>13} {:>13}  {}\n", "series", "least", "most", "last", "unit");
+    for (const auto& entry : series_datasets())
+        print_ranges(entry, records);
+}
+
+void print_profiles(std::size_t segments) {
+    fmt::print("\n  profiles\n");
+    for (const auto& entry : profile_datasets()) {
+        const std::size_t rows = entry.rows == Rows::nodes      ? segments + 1
+                                 : entry.rows == Rows::segments ? segments
+                                                                : 1;
+        fmt::print("  {:<28} {:>5} x {}  {} ({})\n", entry.path, rows, entry.components,
+                   entry.description, entry.units);
+    }
+}
+
+}  // namespace
+
+int info(const std::filesystem::path& result_path) {
+    const Result result = read_result(result_path);
+    print_origin(result_path, result);
+    print_contents(result);
+    print_series(result.series);
+    print_profiles(result.header.segment_s.size());
+    return done;
+}
+
+}  // namespace drillstrand::program

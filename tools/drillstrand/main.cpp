@@ -1,0 +1,172 @@
+/// The program drillstrand: reads the command line, runs a subcommand, turns errors into one line
+/// and an exit code.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+#include "commands.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/version.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+/// Commands of the interface that later versions bring.
+constexpr std::array<std::string_view, 6> later_commands = {
+    "buckling", "equilibrium", "torque-drag", "report", "export", "study"};
+
+int fail(ExitCode code, std::string message) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    fmt::print(stderr, "drillstrand: error: {}\n", message);
+    return code;
+}
+
+Overrides parse_overrides(const std::vector<std::string>& arguments) {
+    Overrides overrides;
+    for (const std::string& argument : arguments) {
+        const std::size_t equals = argument.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format(
+                "--set {}: no value; write --set key.path=value, as in --set run.duration=5",
+                argument));
+        overrides.emplace_back(argument.substr(0, equals), argument.substr(equals + 1));
+    }
+    return overrides;
+}
+
+/// The command line in CLI11's terms, and the values it fills.
+class CommandLine {
+  public:
+    CommandLine() {
+        app_.set_version_flag("--version", fmt::format("drillstrand {} ({})", version(), commit()));
+        app_.set_help_flag("-h,--help", "Print this help");
+        app_.require_subcommand(0, 1);
+        add_run();
+        add_check();
+        add_info();
+        for (CLI::App* command : {run_, check_, info_})
+            command->set_version_flag("--version", app_.version());
+    }
+
+    int execute(int argc, char** argv) {
+        refuse_later_command(argc, argv);
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::Success& help_or_version) {
+            return app_.exit(help_or_version);
+        } catch (const CLI::ParseError& error) {
+            throw UsageError(
+                fmt::format("{}; see {} --help", describe(error, argc, argv), command_name()));
+        }
+        if (run_->parsed()) return start_run();
+        if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
+        if (info_->parsed()) return info(result_path_);
+        throw UsageError("no command; see drillstrand --help");
+    }
+
+  private:
+    void add_run() {
+        run_ = app_.add_subcommand("run", "Simulate a case and write a result file");
+        run_->add_option("CASE.toml", case_path_, "The case to simulate")->required();
+        run_->add_option("-o,--output", output_,
+                         "Result file; default: the case's name with .h5, in the working directory")
+            ->type_name("OUT.h5");
+        run_->add_option("--threads", threads_, "Threads to use; 0: all cores")
+            ->check(CLI::Range(0, 4096))
+            ->type_name("N");
+        add_overrides(*run_);
+        run_->add_flag("--quiet", quiet_, "No progress on the error stream");
+        run_->add_option("--restart", restart_)->group("");  // not shown: not available yet
+    }
+
+    void add_check() {
+        check_ = app_.add_subcommand(
+            "check", "Read and validate a case, print its scene and cost; simulate nothing");
+        check_->add_option("CASE.toml", case_path_, "The case to check")->required();
+        add_overrides(*check_);
+    }
+
+    void add_info() {
+        info_ = app_.add_subcommand("info", "Print what a result file holds and how it was made");
+        info_->add_option("OUT.h5", result_path_, "The result file")->required();
+    }
+
+    void add_overrides(CLI::App& command) {
+        command.add_option("--set", overrides_, "Replace a value of the case; may be repeated")
+            ->type_name("key.path=value")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
+
+    int start_run() {
+        if (!restart_.empty()) throw UsageError("run --restart is not available in this version");
+        RunOptions options;
+        options.case_path = case_path_;
+        options.output = output_;
+        options.threads = threads_;
+        options.overrides = parse_overrides(overrides_);
+        options.quiet = quiet_;
+        return run(options);
+    }
+
+    static void refuse_later_command(int argc, char** argv) {
+        if (argc < 2) return;
+        const std::string_view command = argv[1];
+        if (std::find(later_commands.begin(), later_commands.end(), command) !=
+            later_commands.end())
+            throw UsageError(fmt::format("{} is not available in this version", command));
+    }
+
+    /// CLI11's words, but for an unknown command, where they do not say what would be right.
+    [[nodiscard]] std::string describe(const CLI::ParseError& error, int argc, char** argv) const {
+        const bool is_command = argc > 1 && argv[1][0] != '-';
+        if (is_command && app_.get_subcommands().empty())
+            return fmt::format("unknown command '{}'; the commands are run, check and info",
+                               argv[1]);
+        return error.what();
+    }
+
+    [[nodiscard]] std::string command_name() const {
+        const auto commands = app_.get_subcommands();
+        return commands.empty() ? "drillstrand" : "drillstrand " + commands.front()->get_name();
+    }
+
+    CLI::App app_{"Simulates drill strings: rods in wells, with contact, friction and fluid.",
+                  "drillstrand"};
+    CLI::App* run_ = nullptr;
+    CLI::App* check_ = nullptr;
+    CLI::App* info_ = nullptr;
+    std::string case_path_;
+    std::string result_path_;
+    std::string output_;
+    std::string restart_;
+    int threads_ = -1;
+    std::vector<std::string> overrides_;
+    bool quiet_ = false;
+};
+
+}  // namespace
+
+}  // namespace drillstrand::program
+
+int main(int argc, char** argv) {
+    using namespace drillstrand;
+    using namespace drillstrand::program;
+    try {
+        return CommandLine().execute(argc, argv);
+    } catch (const UsageError& error) {
+        return fail(wrong_input, error.what());
+    } catch (const InputError& error) {
+        return fail(wrong_input, error.what());
+    } catch (const ResultError& error) {
+        return fail(wrong_input, error.what());
+    } catch (const std::exception& error) {
+        return fail(simulation_failed, error.what());
+    }
+}

@@ -1,0 +1,166 @@
+/// drillstrand run: simulates a case and writes a result file.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "drillstrand/case.hpp"
+#include "drillstrand/energy_audit.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/scene.hpp"
+#include "drillstrand/simulation.hpp"
+#include "integrator_choice.hpp"
+#include "progress.hpp"
+#include "signals.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double large_energy_residual = 0.01;
+
+fs::path choose_output(const RunOptions& options) {
+    if (options.output == "-")
+        throw UsageError("-o -: a result cannot go to the standard output; name a file: -o OUT.h5");
+    fs::path output = options.output;
+    if (output.empty()) output = options.case_path.stem().string() + ".h5";
+    std::error_code ignored;
+    if (fs::equivalent(output, options.case_path, ignored))
+        throw UsageError(
+            fmt::format("-o {}: that is the case file; name another file", output.string()));
+    return output;
+}
+
+ResultHeader result_header(const Case& input, const Scene& scene, int threads) {
+    ResultHeader header;
+    header.title = input.title;
+    header.case_text = input.text;
+    header.integrator =
+        input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince";
+    header.threads = threads;
+    header.node_s = scene.mesh.node_s;
+    header.segment_s = scene.mesh.segment_s;
+    return header;
+}
+
+/// Takes a run's records to its file and its progress to the person who waits.
+class Recorder : public Observer {
+  public:
+    Recorder(const fs::path& output, const ResultHeader& header, double duration, bool quiet)
+        : writer_(output, header), progress_(duration, quiet) {}
+
+    void on_series(const SeriesRecord& record) override {
+        writer_.append(record);
+        audit_.add(record.energy);
+        recorded_ = record.time;
+    }
+
+    void on_profile(const Profile& profile) override { writer_.append(profile); }
+
+    bool on_progress(double time, const StepStatistics& statistics) override {
+        if (writer_.is_stale()) writer_.flush(footer("running", statistics));
+        progress_.update(time);
+        return !stop_requested();
+    }
+
+    void close(const std::string& status, const StepStatistics& statistics) {
+        progress_.clear();
+        writer_.close(footer(status, statistics));
+    }
+
+    [[nodiscard]] double recorded() const { return recorded_; }
+    [[nodiscard]] double wall_seconds() const { return progress_.wall_seconds(); }
+    [[nodiscard]] double energy_residual() const { return audit_.residual(); }
+
+  private:
+    [[nodiscard]] ResultFooter footer(const std::string& status,
+                                      const StepStatistics& statistics) const {
+        ResultFooter footer;
+        footer.status = status;
+        footer.wall_seconds = progress_.wall_seconds();
+        footer.energy_residual = audit_.residual();
+        footer.statistics = statistics;
+        return footer;
+    }
+
+    ResultWriter writer_;
+    Progress progress_;
+    EnergyAudit audit_;
+    double recorded_ = 0;  ///< time of the last series record (s)
+};
+
+void print_warnings(const Recorder& recorder) {
+    const double residual = recorder.energy_residual();
+    if (std::abs(residual) <= large_energy_residual) return;
+    fmt::print(stderr,
+               "drillstrand: warning: {:.2g} % of the energy {}; tighten run.relative_tolerance, "
+               "and see 'Energy residual' in engine/results/README.md\n",
+               100 * std::abs(residual),
+               residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
+}
+
+void print_summary(const Recorder& recorder, const Integrator& integrator, const fs::path& output) {
+    const StepStatistics statistics = integrator.statistics();
+    const double wall = recorder.wall_seconds();
+    fmt::print(stderr,
+               "drillstrand: {:.6g} s simulated in {}: {:.3g} simulated s per s, {} steps, {} "
+               "rejected. Result: {} (look at it with: drillstrand info {})\n",
+               integrator.time(), duration_text(wall), integrator.time() / wall, statistics.steps,
+               statistics.rejected, output.string(), output.string());
+}
+
+/// The run broke off: the file says why as far as it can, the error goes on to the caller.
+int end_failed(Recorder& recorder, const Integrator& integrator, const fs::path& output,
+               const std::string& why) {
+    try {
+        recorder.close("failed: " + why, integrator.statistics());
+    } catch (const ResultError&) {
+        // The first failure is the one to report.
+    }
+    fmt::print(stderr, "drillstrand: error: {}; results up to {:.6g} s are in {}\n", why,
+               recorder.recorded(), output.string());
+    return simulation_failed;
+}
+
+int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::path& output) {
+    recorder.close("interrupted", integrator.statistics());
+    fmt::print(stderr, "drillstrand: interrupted; results up to {:.6g} s are complete in {}\n",
+               recorder.recorded(), output.string());
+    return interrupted;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+    const fs::path output = choose_output(options);
+    Case input = read_case(options.case_path, options.overrides);
+    if (options.threads >= 0) input.run.threads = options.threads;
+    const Scene scene = build_scene(input);
+    const IntegratorOptions choice = integrator_options(input.run);
+    const auto integrator = make_integrator(scene, choice);
+
+    watch_signals();
+    Recorder recorder(output, result_header(input, scene, choice.threads), input.run.duration,
+                      options.quiet);
+    try {
+        const RunSchedule schedule{input.run.duration, input.output.interval,
+                                   input.output.profile_interval};
+        if (simulate(*integrator, schedule, recorder) == RunOutcome::stopped)
+            return end_interrupted(recorder, *integrator, output);
+        recorder.close("complete", integrator->statistics());
+    } catch (const SimulationError& error) {
+        return end_failed(recorder, *integrator, output, error.what());
+    } catch (const ResultError& error) {
+        return end_failed(recorder, *integrator, output, error.what());
+    }
+    print_warnings(recorder);
+    print_summary(recorder, *integrator, output);
+    return done;
+}
+
+}  // namespace drillstrand::program

@@ -1,0 +1,26 @@
+#include "wording.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace drillstrand::program {
+
+std::string duration_text(double seconds) {
+    if (!std::isfinite(seconds)) return "unknown";
+    if (seconds < 10) return fmt::format("{:.2g} s", seconds);
+    const long whole = std::lround(seconds);
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    if (whole < 48 * 3600) return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+    return fmt::format("{:.1f} days", seconds / 86400);
+}
+
+std::string count_text(double count) {
+    if (count >= 1e6) return fmt::format("{:.1e}", count);
+    const long whole = std::lround(count);
+    if (whole < 10000) return fmt::format("{}", whole);
+    return fmt::format("{} {:03}", whole / 1000, whole % 1000);
+}
+
+}  // namespace drillstrand::program

@@ -1,0 +1,14 @@
+/// Numbers as people read them.
+#pragma once
+
+#include <string>
+
+namespace drillstrand::program {
+
+/// "0.41 s", "42 s", "3 min 20 s", "2 h 05 min", "3.2 days".
+std::string duration_text(double seconds);
+
+/// "731", "12 400", "5.1e+07" from a million on.
+std::string count_text(double count);
+
+}  // namespace drillstrand::program
