@@ -40,6 +40,7 @@ struct FrictionParameters {
     double stiffness;  ///< k_tan (Pa)
     Tangential fixed;  ///< static coefficients
     Tangential slide;  ///< dynamic coefficients
+    double cone;       ///< 1: forces never leave Coulomb's cone; 0: the paper's springs
 };
 
 /// The spring of a node: elongation (m) and whether the point slides (1) or sticks (0).
@@ -65,16 +66,16 @@ DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tang
             coefficient.azimuthal > 0.0 ? v.azimuthal * scale : 0.0};
 }
 
-/// Coulomb's cone: force of the wall on the pipe. While the spring is held, a normal force that
-/// falls takes the friction limit with it.
-DRILLSTRAND_INLINE Tangential coulomb_force(const FrictionSpring& spring, double normal,
-                                            const FrictionParameters& p) {
+/// Force of the wall on the pipe. The spring is held during a step; a normal force that falls takes
+/// Coulomb's limit with it. The paper's two springs (eqs. 10-12) know no limit within a step.
+DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, double normal,
+                                             const FrictionParameters& p) {
     const bool slides = spring.sliding > 0.5;
     const Tangential coefficient = {slides ? p.slide.axial : p.fixed.axial,
                                     slides ? p.slide.azimuthal : p.fixed.azimuthal};
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
-    const double ratio = cone_ratio(elastic, coefficient, normal);
+    const double ratio = p.cone * cone_ratio(elastic, coefficient, normal);
     return scaled_where_rough(elastic, coefficient, ratio > 1.0 ? 1.0 / ratio : 1.0);
 }
 
@@ -98,12 +99,6 @@ DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
     const bool touches = penetration > 0.0;
     return {{touches ? kept.axial : 0.0, touches ? kept.azimuthal : 0.0},
             touches && slides ? 1.0 : 0.0};
-}
-
-/// The paper's law (eqs. 10-12): force of two independent springs.
-DRILLSTRAND_INLINE Tangential paper_force(const FrictionSpring& spring,
-                                          const FrictionParameters& p) {
-    return {-p.stiffness * spring.elongation.axial, -p.stiffness * spring.elongation.azimuthal};
 }
 
 /// One of the paper's springs: past mu_s k_el dr it is shortened to mu_d k_el dr.

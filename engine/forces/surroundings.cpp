@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "forces/fluid.hpp"
+
 namespace drillstrand {
 
 namespace {
@@ -50,12 +52,12 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
     p.friction = {contact.tangential_stiffness,
                   {contact.static_friction.axial, contact.static_friction.azimuthal},
-                  {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal}};
-    p.paper_law = contact.law == FrictionLaw::paper;
+                  {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal},
+                  contact.law == FrictionLaw::coulomb ? 1.0 : 0.0};
     if (scene.fluid) {
         p.viscosity = scene.fluid->viscosity;
         p.film = scene.fluid->film;
-        p.concentric_axial_drag = scene.fluid->axial_drag == AxialDrag::concentric;
+        p.eccentric_axial_drag = scene.fluid->axial_drag == AxialDrag::eccentric;
     }
     return p;
 }
@@ -77,10 +79,10 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Eigen::Vector3d
     table_.fill(pipe, 1.0);
     std::size_t guess = well_->arc_at(well_->measured_depth_start());
     for (std::size_t k = 0; k < nodes; ++k) {
-        guess = well_->find_arc(position[k], guess);
-        enter_arc(k, guess);
         table_.row(pipe)[k] = scene.mesh.node[k].outer_radius;
         table_.row(damping)[k] = scene.normal_damping[k];
+        guess = well_->find_arc(position[k], guess);
+        enter_arc(k, guess);
     }
 }
 
@@ -99,6 +101,8 @@ void Surroundings::enter_arc(std::size_t node, std::size_t arc) {
     set(normal_z, a.normal.z());
     set(curvature, a.curvature);
     set(hole, a.radius);
+    set(concentric_axial,
+        parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(row(pipe)[node], a.radius));
     const double angle = a.curvature * a.length;
     set(end_cosine, std::cos(angle));
     set(reach, angle < 1e-8 ? a.length : std::sin(angle) / a.curvature);
@@ -123,7 +127,8 @@ bool Surroundings::changes(std::size_t block) const {
 }
 
 void Surroundings::advance_springs(double dt, std::size_t block) {
-    const auto advance = parameters_.paper_law ? advance_paper_springs : advance_coulomb_springs;
+    const auto advance =
+        parameters_.friction.cone > 0 ? advance_coulomb_springs : advance_paper_springs;
     const std::size_t k = block * block_size;
     advance(row(elongation_axial) + k, row(elongation_azimuthal) + k, row(sliding) + k,
             row(depth) + k, row(normal) + k, row(slip_axial) + k, row(slip_azimuthal) + k, dt,

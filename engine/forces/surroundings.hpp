@@ -17,10 +17,9 @@ struct SurroundingsParameters {
     double normal_stiffness = 0;  ///< k_el (Pa)
     double least_normal = 0;      ///< 0, or minus infinity where the dashpot may pull (N/m)
     FrictionParameters friction{};
-    bool paper_law = false;
     double viscosity = 0;  ///< Pa s
     double film = 0;
-    bool concentric_axial_drag = false;
+    bool eccentric_axial_drag = true;
 };
 
 SurroundingsParameters surroundings_parameters(const Scene& scene);
@@ -30,22 +29,23 @@ class Surroundings {
   public:
     /// One line per array: name, meaning, unit, who writes it.
     enum Row : std::size_t {
-        start_x,               // first point of the arc's axis (m); refresh_arcs
-        start_y,               //
-        start_z,               //
-        tangent_x,             // its unit tangent; refresh_arcs
-        tangent_y,             //
-        tangent_z,             //
-        normal_x,              // its unit normal, toward the centre; refresh_arcs
-        normal_y,              //
-        normal_z,              //
-        curvature,             // of the arc (1/m); refresh_arcs
-        hole,                  // radius of the hole (m); refresh_arcs
-        end_cosine,            // cosine of the arc's total angle; refresh_arcs
-        reach,                 // its sine / curvature (m); refresh_arcs
-        pipe,                  // outer radius of the pipe (m); constant
-        damping,               // eta_el (Pa s); constant
-        elongation_axial,      // friction spring along l (m); advance_springs
+        start_x,           // first point of the arc's axis (m); refresh_arcs
+        start_y,           //
+        start_z,           //
+        tangent_x,         // its unit tangent; refresh_arcs
+        tangent_y,         //
+        tangent_z,         //
+        normal_x,          // its unit normal, toward the centre; refresh_arcs
+        normal_y,          //
+        normal_z,          //
+        curvature,         // of the arc (1/m); refresh_arcs
+        hole,              // radius of the hole (m); refresh_arcs
+        end_cosine,        // cosine of the arc's total angle; refresh_arcs
+        reach,             // its sine / curvature (m); refresh_arcs
+        concentric_axial,  // axial drag coefficient where it is concentric, else 0; refresh_arcs
+        pipe,              // outer radius of the pipe (m); constant
+        damping,           // eta_el (Pa s); constant
+        elongation_axial,  // friction spring along l (m); advance_springs
         elongation_azimuthal,  // friction spring along t (m); advance_springs
         sliding,               // 1 where the surface point slides, else 0; advance_springs
         depth,                 // penetration (m); node kernel

@@ -65,7 +65,7 @@ DRILLSTRAND_INLINE WellFrame well_frame(const Triple& x, const ArcNumbers& arc) 
     const Triple r = {off_axis ? to_axis.x * scale : inward.x,
                       off_axis ? to_axis.y * scale : inward.y,
                       off_axis ? to_axis.z * scale : inward.z};
-    return {r, l, cross(r, l), eccentricity, a, q};
+    return {r, {l.x, l.y, l.z}, cross(r, l), eccentricity, a, q};
 }
 
 /// Whether the foot lies past the end of the arc (sine and cosine are of its total angle; reach =

@@ -456,8 +456,7 @@ DormandPrince::NodeContact DormandPrince::contact(std::size_t node, const Pose& 
     const FrictionSpring spring = {{surroundings_.row(Surroundings::elongation_axial)[node],
                                     surroundings_.row(Surroundings::elongation_azimuthal)[node]},
                                    surroundings_.row(Surroundings::sliding)[node]};
-    const Tangential rub = p.paper_law ? paper_force(spring, p.friction)
-                                       : coulomb_force(spring, result.normal_force, p.friction);
+    const Tangential rub = friction_force(spring, result.normal_force, p.friction);
     result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
                    rub.azimuthal * vector(frame.t);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +

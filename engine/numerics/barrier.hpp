@@ -29,7 +29,7 @@ class Barrier {
     }
 
   private:
-    static constexpr int spins_before_yield = 20000;
+    static constexpr int spins_before_yield = 2000;
 
     int threads_;
     alignas(64) std::atomic<int> arrived_{0};

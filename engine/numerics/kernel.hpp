@@ -14,3 +14,7 @@
 #endif
 
 #define DRILLSTRAND_INLINE [[gnu::always_inline]] inline
+
+/// Mark of the body of a vector loop, written as a lambda: variables declared in an `omp simd` loop
+/// itself are laid out in memory per lane, which keeps g++ 12 from vectorising larger bodies.
+#define DRILLSTRAND_LAMBDA __attribute__((always_inline))

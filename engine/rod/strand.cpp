@@ -66,7 +66,7 @@ using Work = StrandWorkspace;
 /// The three rows of a vector quantity, at the first entry of a block.
 struct Rows {
     double *x, *y, *z;
-    DRILLSTRAND_INLINE void set(std::size_t k, const Triple& v) const {
+    DRILLSTRAND_INLINE void set(std::size_t k, Triple v) const {
         x[k] = v.x;
         y[k] = v.y;
         z[k] = v.z;
@@ -119,8 +119,7 @@ DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockT
     const double* inverse_polar = c.row(Constants::inverse_polar) + first;
     const double* inverse_transverse = c.row(Constants::inverse_transverse) + first;
 
-#pragma omp simd
-    for (std::size_t k = 0; k < block_size; ++k) {
+    const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         // strains U = A^-1 S + Ubar
         const Triple m = m_rows[k];
         const Triple n = n_rows[k];
@@ -185,7 +184,10 @@ DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockT
         step[9][k] = pose.position[0];
         step[10][k] = pose.position[1];
         step[11][k] = pose.position[2];
-    }
+    };
+#pragma omp simd
+    for (std::size_t k = 0; k < block_size; ++k)
+        segment(k);
 }
 
 /// Product of the poses of a block's segments: pose of each node in the frame of the first, and the
@@ -305,19 +307,16 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
     double* slip_axial = s_row(S::slip_axial);
     double* slip_azimuthal = s_row(S::slip_azimuthal);
     double* leaves = s_row(S::leaves);
-    // the paper's azimuthal spring does not see the node's motion around the well
-    const double around_seen = around.paper_law ? 0.0 : 1.0;
-    const bool paper_law = around.paper_law;
+    const double* concentric_axial = s_row(S::concentric_axial);
     const FrictionParameters friction = around.friction;
     const double normal_stiffness = around.normal_stiffness;
     const double least_normal = around.least_normal;
     const double viscosity = around.viscosity;
     const double film = around.film;
-    const bool concentric = around.concentric_axial_drag;
+    const double eccentric_axial = around.eccentric_axial_drag ? 1.0 : 0.0;
 
-    double power = 0.0;
-#pragma omp simd reduction(+ : power)
-    for (std::size_t k = 0; k < block_size; ++k) {
+    const auto node = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        double power = 0.0;
         const Triple pi = pi_rows[k];
         const Triple p = p_rows[k];
         const double im = inverse_mass[k];
@@ -377,10 +376,10 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
             const double normal = normal_force(dr, v_r, normal_stiffness, damping[k], least_normal);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};
-            const Tangential held =
-                paper_law ? paper_force(spring, friction) : coulomb_force(spring, normal, friction);
+            const Tangential held = friction_force(spring, normal, friction);
             const Tangential rub = {dr > 0.0 ? held.axial : 0.0, dr > 0.0 ? held.azimuthal : 0.0};
-            const Tangential slip = slip_velocity(v_l, around_seen * v_t, w_l, pipe[k]);
+            // the paper's azimuthal spring does not see the node's motion around the well
+            const Tangential slip = slip_velocity(v_l, friction.cone * v_t, w_l, pipe[k]);
             depth_out[k] = dr;
             normal_out[k] = normal;
             slip_axial[k] = slip.axial;
@@ -394,8 +393,7 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
                 const double eccentricity =
                     drag_eccentricity(frame.eccentricity, pipe[k], hole[k], film);
                 const DragCoefficients drag = drag_coefficients(eccentricity, pipe[k], hole[k]);
-                const double axial =
-                    concentric ? concentric_axial_drag(pipe[k], hole[k]) : drag.axial;
+                const double axial = eccentric_axial * drag.axial + concentric_axial[k];
                 // nodes in contact get no fluid force (paper)
                 const double mu = dr > 0.0 ? 0.0 : viscosity;
                 f_r -= mu * drag.radial * v_r;
@@ -430,11 +428,16 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
         if constexpr (in_well || with_damping) {
             pi_dot = combine(1.0, pi_dot, 1.0, couple);
             p_dot = combine(1.0, p_dot, 1.0, push);
-            power += mobile_cell[k] * (dot(couple, w) + dot(push, v));
+            power = mobile_cell[k] * (dot(couple, w) + dot(push, v));
         }
         pi_rate.set(k, pi_dot);
         p_rate.set(k, p_dot);
-    }
+        return power;
+    };
+    double power = 0.0;
+#pragma omp simd reduction(+ : power)
+    for (std::size_t k = 0; k < block_size; ++k)
+        power += node(k);
     return power;
 }
 
