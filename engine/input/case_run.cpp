@@ -13,7 +13,9 @@ InitialCase read_initial(const Table& root) {
     InitialCase initial;
     initial.state = table.choice<InitialState>(
         "state", initial.state,
-        {{"coaxial", InitialState::coaxial}, {"equilibrium", InitialState::equilibrium}});
+        {{"coaxial", InitialState::coaxial},
+         {"stress-free", InitialState::stress_free},
+         {"equilibrium", InitialState::equilibrium}});
     initial.curvature = table.vector("curvature", dimension::curvature);
     initial.offset = table.vector("offset", dimension::length);
     return initial;

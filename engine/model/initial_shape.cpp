@@ -45,14 +45,25 @@ std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, con
     return strains;
 }
 
+/// Straight, or bent to the string's own shape.
+std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state) {
+    std::vector<Vector6> strains;
+    for (const SectionProperties& segment : scene.mesh.segment) {
+        Vector6 strain;
+        strain << Eigen::Vector3d::Zero(), 1, 0, 0;
+        if (state == InitialState::stress_free) strain.head<3>() = segment.curvature;
+        strains.push_back(strain);
+    }
+    return strains;
+}
+
 }  // namespace
 
 std::vector<Vector6> initial_strains(const Scene& scene, const InitialCase& initial) {
-    Vector6 straight;
-    straight << Eigen::Vector3d::Zero(), 1, 0, 0;
+    const bool along_well = scene.well && initial.state == InitialState::coaxial;
     std::vector<Vector6> strains =
-        scene.well ? strains_along(*scene.well, scene.mesh, {scene.head_frame, scene.head_position})
-                   : std::vector<Vector6>(scene.mesh.length.size(), straight);
+        along_well ? strains_along(*scene.well, scene.mesh, {scene.head_frame, scene.head_position})
+                   : strains_without_well(scene, initial.state);
     for (Vector6& strain : strains)
         strain.head<3>() += initial.curvature;
     return strains;

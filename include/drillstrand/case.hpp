@@ -124,7 +124,7 @@ struct DampingCase {
     double kelvin_voigt = 0;  ///< s: B = tau A
 };
 
-enum class InitialState { coaxial, equilibrium };
+enum class InitialState { coaxial, stress_free, equilibrium };
 
 struct InitialCase {
     InitialState state = InitialState::coaxial;

@@ -1,0 +1,76 @@
+#include "support/run_case.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace drillstrand::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory that goes with its owner.
+class ScratchDirectory {
+  public:
+    ScratchDirectory() {
+        std::string name = (fs::temp_directory_path() / "drillstrand-test-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch directory");
+        path_ = name;
+    }
+    ScratchDirectory(const ScratchDirectory&) = delete;
+    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+    ~ScratchDirectory() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+class MemoryObserver : public Observer {
+  public:
+    explicit MemoryObserver(Run& run) : run_(run) {}
+    void on_series(const SeriesRecord& record) override { run_.series.push_back(record); }
+    void on_profile(const Profile& profile) override { run_.profiles.push_back(profile); }
+    bool on_progress(double /*time*/, const StepStatistics& /*statistics*/) override {
+        return true;
+    }
+
+  private:
+    Run& run_;
+};
+
+}  // namespace
+
+Case case_from(const std::string& toml) {
+    const ScratchDirectory directory;
+    const fs::path file = directory.path() / "case.toml";
+    std::ofstream(file) << toml;
+    return read_case(file);
+}
+
+Run run(const Scene& scene, const RunCase& settings, const OutputCase& output) {
+    const auto integrator =
+        make_integrator(scene, {settings.integrator, settings.absolute_tolerance,
+                                settings.relative_tolerance, settings.cfl, settings.threads});
+    Run result;
+    MemoryObserver observer(result);
+    simulate(*integrator, {settings.duration, output.interval, output.profile_interval}, observer);
+    result.statistics = integrator->statistics();
+    return result;
+}
+
+Run run(const Case& input) {
+    return run(build_scene(input), input.run, input.output);
+}
+
+Run run(const std::string& toml) {
+    return run(case_from(toml));
+}
+
+}  // namespace drillstrand::test

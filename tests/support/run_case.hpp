@@ -1,0 +1,33 @@
+/// Running cases inside a test: from the text of a case file to records in memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drillstrand/case.hpp"
+#include "drillstrand/simulation.hpp"
+
+namespace drillstrand::test {
+
+/// Reads a case from text, through a file in a directory of its own that is removed afterwards.
+/// Tables that the text names must be absolute paths.
+Case case_from(const std::string& toml);
+
+/// What a run recorded.
+struct Run {
+    std::vector<SeriesRecord> series;
+    std::vector<Profile> profiles;
+    StepStatistics statistics;
+
+    [[nodiscard]] const SeriesRecord& last() const { return series.back(); }
+    [[nodiscard]] const Profile& end() const { return profiles.back(); }
+};
+
+/// Runs a case to its end in this process. Throws what the engine throws.
+Run run(const Case& input);
+Run run(const std::string& toml);
+
+/// As run(), for a scene that no case file can express.
+Run run(const Scene& scene, const RunCase& run, const OutputCase& output);
+
+}  // namespace drillstrand::test
