@@ -23,7 +23,8 @@ namespace {
 constexpr hsize_t samples_per_chunk = 512;
 constexpr unsigned deflate_level = 4;
 constexpr auto stale_after = std::chrono::seconds(1);
-constexpr std::size_t most_pending_bytes = std::size_t{16} << 20;
+/// What waits in memory between flushes, and is lost when the disk turns out to be full.
+constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
 /// Room for HDF5's own tables in one flush, and for the footer of a file on a full disk.
 constexpr std::size_t metadata_bytes = std::size_t{1} << 20;
 
@@ -155,11 +156,15 @@ class RecordTable {
 
     void write_times() {
         write(0);
+        if (pending_records_ > 0) last_time_ = pending_.front().back();
         written_ += pending_records_;
         for (auto& values : pending_)
             values.clear();
         pending_records_ = 0;
     }
+
+    /// Time of the last record in the file; 0 before the first one (s).
+    [[nodiscard]] double last_time() const { return last_time_; }
 
     void close() {
         for (H5::DataSet& dataset : datasets_)
@@ -188,6 +193,7 @@ class RecordTable {
     std::vector<std::vector<double>> pending_;  ///< per dataset: values not yet in the file
     hsize_t pending_records_ = 0;
     hsize_t written_ = 0;
+    double last_time_ = 0;
     std::size_t chunk_bytes_ = 0;
 };
 
@@ -326,6 +332,7 @@ struct ResultWriter::Impl {
     }
 
     [[nodiscard]] bool is_stale() const { return Clock::now() - last_flush_ > stale_after; }
+    [[nodiscard]] double written_until() const { return written_until_; }
     [[nodiscard]] OpenFile& open() { return *open_; }
 
   private:
@@ -350,6 +357,7 @@ struct ResultWriter::Impl {
             open_->profiles.write_times();
             open_->flush();
         });
+        written_until_ = open_->series.last_time();
         failed_ = false;
     }
 
@@ -369,6 +377,7 @@ struct ResultWriter::Impl {
     fs::path file_path_;
     std::unique_ptr<OpenFile> open_;
     bool failed_ = false;  ///< records were lost: the pending ones no longer follow the file's
+    double written_until_ = 0;
     Clock::time_point last_flush_ = Clock::now();
 };
 
@@ -388,6 +397,10 @@ void ResultWriter::append(const Profile& profile) {
 
 bool ResultWriter::is_stale() const {
     return impl_->is_stale();
+}
+
+double ResultWriter::written_until() const {
+    return impl_->written_until();
 }
 
 void ResultWriter::flush(const ResultFooter& footer) {

@@ -2,6 +2,8 @@
 /// what it dissipates.
 #pragma once
 
+#include <array>
+
 #include "drillstrand/records.hpp"
 
 namespace drillstrand {
@@ -11,19 +13,23 @@ class EnergyAudit {
   public:
     void add(const EnergyAccount& account);
 
-    /// (change of stored energy + dissipation - work) over the run so far, divided by the largest
-    /// of |work|, dissipation and the swing (largest less smallest) of the stored energy. Positive
-    /// where energy appeared from nowhere; 0 where no energy moved.
+    /// (change of stored energy + dissipation - work) over the run so far, divided by the energy
+    /// that moved: the largest swing (largest less smallest value) of kinetic, elastic or
+    /// potential energy, work or dissipation. Positive where energy appeared from nowhere; 0 where
+    /// no energy moved.
     [[nodiscard]] double residual() const;
 
   private:
+    /// Least and largest value of a part of the account.
+    struct Range {
+        double least = 0;
+        double most = 0;
+    };
+
     bool empty_ = true;
     EnergyAccount first_;
     EnergyAccount last_;
-    double least_stored_ = 0;
-    double most_stored_ = 0;
-    double most_work_ = 0;
-    double most_dissipation_ = 0;
+    std::array<Range, 5> ranges_;  ///< kinetic, elastic, potential, work, dissipation
 };
 
 }  // namespace drillstrand

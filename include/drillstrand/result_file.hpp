@@ -45,6 +45,8 @@ class ResultWriter {
     void append(const Profile& profile);
     /// True where the last flush is older than a second.
     [[nodiscard]] bool is_stale() const;
+    /// Time of the last series record that is in the file, 0 before the first one (s).
+    [[nodiscard]] double written_until() const;
     /// Brings the file up to date with what was appended, and its attributes with `footer`. The
     /// file is at most 2 s old where this is called as soon as is_stale().
     void flush(const ResultFooter& footer);

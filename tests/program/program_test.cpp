@@ -1,6 +1,7 @@
 /// The program as a user meets it: each test runs the built drillstrand.
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -72,6 +73,8 @@ class Program : public testing::Test {
         write("pipe.toml", pipe_case);
     }
 
+    rlim_t largest_file = RLIM_INFINITY;  ///< bytes that the program may write into one
+
     [[nodiscard]] fs::path desk() const { return folder_ / "desk"; }
 
     void write(const std::string& name, const std::string& text) const {
@@ -86,6 +89,8 @@ class Program : public testing::Test {
         for (std::string& argument : arguments)
             pointers.push_back(argument.data());
         pointers.push_back(nullptr);
+        const rlimit limit{largest_file, largest_file};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
         redirect(STDOUT_FILENO, folder_ / "out");
         redirect(STDERR_FILENO, folder_ / "err");
         if (::chdir(desk().c_str()) == 0) ::execv(pointers.front(), pointers.data());
@@ -137,6 +142,12 @@ class Program : public testing::Test {
     ScratchFolder folder_;
 };
 
+std::string reached_text(const Result& result) {
+    std::ostringstream text;
+    text << "results up to " << result.series.back().time << " s are ";
+    return text.str();
+}
+
 /// One line on the error stream, beginning as every error does.
 auto is_one_error(const std::string& words) {
     return AllOf(
@@ -180,7 +191,7 @@ TEST_F(Program, CheckPrintsTheSceneAndWritesNothing) {
     const Ending ending = run({"check", "pipe.toml"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(ending.out, AllOf(HasSubstr("A pipe hangs and swings"),
-                                  HasSubstr("24 m (78.74 ft)"), HasSubstr("8 of 3 to 3 m"),
+                                  HasSubstr("24 m (78.74 ft)"), HasSubstr("8 of 3 m"),
                                   HasSubstr("8.056 kN (1.811 klbf)"), HasSubstr("steps")));
     EXPECT_THAT(files(), ElementsAre("pipe.toml"));
 }
@@ -200,7 +211,7 @@ TEST_F(Program, AWrongKeyIsOneLineWithItsPlaceAndNothingIsWritten) {
     for (const char* command : {"run", "check"}) {
         const Ending ending = run({command, "wrong.toml"});
         EXPECT_EQ(ending.code, 2);
-        EXPECT_THAT(ending.err, is_one_error("wrong.toml:18:"));
+        EXPECT_THAT(ending.err, is_one_error("wrong.toml:20:1:"));
         EXPECT_THAT(ending.err, HasSubstr("interval"));
         EXPECT_THAT(files(), ElementsAre("pipe.toml", "wrong.toml"));
     }
@@ -312,9 +323,7 @@ TEST_P(Interrupted, ARunEndsInOrder) {
     EXPECT_EQ(result.footer.status, "interrupted");
     EXPECT_GT(result.footer.statistics.steps, 0);
     ASSERT_GT(result.series.size(), 1U);
-    std::ostringstream reached;
-    reached << "results up to " << result.series.back().time << " s are complete in pipe.h5";
-    EXPECT_THAT(ending.err, HasSubstr(reached.str()));
+    EXPECT_THAT(ending.err, HasSubstr(reached_text(result)));
 }
 
 INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, testing::Values(SIGINT, SIGTERM));
@@ -328,6 +337,18 @@ TEST_F(Program, AKilledRunLeavesAReadableFile) {
     EXPECT_GT(result.series.size(), 1U);
     EXPECT_GT(result.footer.statistics.steps, 0);
     EXPECT_THAT(run({"info", "pipe.h5"}).out, HasSubstr("running, or killed before its end"));
+}
+
+TEST_F(Program, AFullDiskEndsARunWithWhatFitted) {
+    largest_file = 6 << 20;
+    const Ending ending = run({"run", "pipe.toml", "--quiet", "--set", "run.duration=100000",
+                               "--set", "output.interval=1e-6"});
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.err, is_one_error("pipe.h5: cannot write: File too large; results up to"));
+    const Result result = read_result(desk() / "pipe.h5");
+    EXPECT_THAT(result.footer.status, StartsWith("failed: pipe.h5: cannot write"));
+    ASSERT_GT(result.series.size(), 1U);
+    EXPECT_THAT(ending.err, HasSubstr(reached_text(result)));
 }
 
 }  // namespace

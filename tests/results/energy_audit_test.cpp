@@ -33,6 +33,13 @@ TEST(EnergyAudit, AnUndampedSwingThatKeepsItsEnergyHasNoResidual) {
     EXPECT_EQ(audit.residual(), 0);
 }
 
+TEST(EnergyAudit, WhatASwingLosesIsRelativeToTheEnergyItMoves) {
+    EnergyAudit audit;
+    audit.add(account(0, 0, 0, 0));
+    audit.add(account(99, -100, 0, 0));
+    EXPECT_DOUBLE_EQ(audit.residual(), -1.0 / 100);
+}
+
 TEST(EnergyAudit, WorkThatIsPartlyStoredAndPartlyDissipatedBalances) {
     EnergyAudit audit;
     audit.add(account(0, 50, 3, 2));
@@ -51,8 +58,8 @@ TEST(EnergyAudit, WorkThatWasGivenBackStillCountsAsTheScale) {
     EnergyAudit audit;
     audit.add(account(0, 0, 0, 0));
     audit.add(account(0, 0, 100, 100));
-    audit.add(account(0, 0, 0, -4));
-    EXPECT_DOUBLE_EQ(audit.residual(), -4.0 / 100);
+    audit.add(account(0, 0, 0, 96));
+    EXPECT_DOUBLE_EQ(audit.residual(), 96.0 / 100);
 }
 
 }  // namespace

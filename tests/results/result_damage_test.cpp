@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <thread>
@@ -23,6 +24,7 @@ using testing::HasSubstr;
 
 /// Runs `action` in a process of its own.
 pid_t start(const std::function<void()>& action) {
+    std::fflush(nullptr);  // or the child would print it once more
     const pid_t child = ::fork();
     if (child != 0) return child;
     try {

@@ -189,12 +189,13 @@ void print_loads(const Scene& scene) {
                                  largest(scene.head.force), largest(scene.head.moment)));
     }
     const BitCase& bit = scene.bit;
-    line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
-                                   bit.direction == BitDirection::well ? "well" : "string"));
+    if (largest(bit.weight) > 0)
+        line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
+                                       bit.direction == BitDirection::well ? "well" : "string"));
     if (bit.friction)
         line("bit torque",
              fmt::format("friction {:.3g} times pi R/4 times the weight", *bit.friction));
-    else
+    else if (largest(bit.torque) > 0)
         line("bit torque",
              fmt::format("up to {:.4g} kN m ({:.4g} klbf ft)", largest(bit.torque) / 1000,
                          largest(bit.torque) / 1000 / foot_pound_force));
@@ -211,14 +212,20 @@ void print_loads(const Scene& scene) {
 void print_mesh(const Scene& scene) {
     const auto [least, most] =
         std::minmax_element(scene.mesh.length.begin(), scene.mesh.length.end());
+    const bool uniform = *most - *least <= 1e-9 * *most;
+    const bool segment_inertia = scene.inertia.front() > scene.mesh.node.front().inertia;
     fmt::print("Mesh\n");
-    line("segments", fmt::format("{} of {:.5g} to {:.5g} m", scene.segments, *least, *most));
+    line("segments", uniform
+                         ? fmt::format("{} of {:.5g} m", scene.segments, *most)
+                         : fmt::format("{} of {:.5g} to {:.5g} m", scene.segments, *least, *most));
+    line("rotary inertia", segment_inertia ? "of the sections and of the segments as rigid pieces"
+                                           : "of the sections alone");
 }
 
 void print_cost(const Case& input, const Scene& scene) {
     const StepEstimate estimate = estimate_step(input, scene);
-    const double evaluations = estimate.steps * estimate.evaluations;
-    const double seconds = evaluations * time_evaluation(input, scene);
+    const FirstSteps first = time_first_steps(input, scene);
+    const double more_steps = std::max(estimate.steps, input.run.duration / first.mean_step);
     const int threads = integrator_options(input.run).threads;
     fmt::print("Run\n");
     line("duration",
@@ -226,12 +233,16 @@ void print_cost(const Case& input, const Scene& scene) {
              "{:.6g} s, {}, {} thread{}", input.run.duration,
              input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince",
              threads, threads == 1 ? "" : "s"));
-    line("time step", fmt::format("about {:.2g} s, bounded by {} ({:.2g} rad/s)", estimate.step,
-                                  estimate.process, estimate.rate));
-    line("cost",
-         fmt::format("about {} steps, {} evaluations: about {} at the speed of the first "
-                     "steps on this machine",
-                     count_text(estimate.steps), count_text(evaluations), duration_text(seconds)));
+    line(
+        "time step",
+        fmt::format("at most about {:.2g} s, for {} ({:.2g} rad/s); {:.2g} s in the first {} steps",
+                    estimate.step, estimate.process, estimate.rate, first.mean_step,
+                    count_text(first.count)));
+    line("cost", fmt::format("about {} to {} steps, {} to {} at the speed of the first steps on "
+                             "this machine",
+                             count_text(estimate.steps), count_text(more_steps),
+                             duration_text(estimate.steps * first.seconds_a_step),
+                             duration_text(more_steps * first.seconds_a_step)));
 }
 
 void warn(const std::string& text) {
@@ -267,10 +278,10 @@ void warn_of_cut_corners(const Case& input, const Scene& scene) {
     const double clearance = *std::min_element(gaps.begin(), gaps.end());
     constexpr double noticeable = 0.25;
     if (sagitta > noticeable * clearance)
-        warn(
-            fmt::format("between nodes the pipe may cut the corner of the sharpest bend by {:.2g} "
-                        "m, with a clearance of {:.2g} m; more segments would cure it",
-                        sagitta, clearance));
+        warn(fmt::format(
+            "between nodes the pipe may cut the corner of the sharpest bend by {:.2g} "
+            "m, with a clearance of {:.2g} m at the tightest place; more segments would cure it",
+            sagitta, clearance));
 }
 
 void warn_of_paper_friction(const Scene& scene) {

@@ -57,7 +57,6 @@ class Recorder : public Observer {
     void on_series(const SeriesRecord& record) override {
         writer_.append(record);
         audit_.add(record.energy);
-        recorded_ = record.time;
     }
 
     void on_profile(const Profile& profile) override { writer_.append(profile); }
@@ -73,7 +72,7 @@ class Recorder : public Observer {
         writer_.close(footer(status, statistics));
     }
 
-    [[nodiscard]] double recorded() const { return recorded_; }
+    [[nodiscard]] double written_until() const { return writer_.written_until(); }
     [[nodiscard]] double wall_seconds() const { return progress_.wall_seconds(); }
     [[nodiscard]] double energy_residual() const { return audit_.residual(); }
 
@@ -91,15 +90,14 @@ class Recorder : public Observer {
     ResultWriter writer_;
     Progress progress_;
     EnergyAudit audit_;
-    double recorded_ = 0;  ///< time of the last series record (s)
 };
 
 void print_warnings(const Recorder& recorder) {
     const double residual = recorder.energy_residual();
     if (std::abs(residual) <= large_energy_residual) return;
     fmt::print(stderr,
-               "drillstrand: warning: {:.2g} % of the energy {}; tighten run.relative_tolerance, "
-               "and see 'Energy residual' in engine/results/README.md\n",
+               "drillstrand: warning: {:.2g} % of the energy that moved {}; the time steps are too "
+               "long, or the scene gains energy\n",
                100 * std::abs(residual),
                residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
 }
@@ -123,14 +121,14 @@ int end_failed(Recorder& recorder, const Integrator& integrator, const fs::path&
         // The first failure is the one to report.
     }
     fmt::print(stderr, "drillstrand: error: {}; results up to {:.6g} s are in {}\n", why,
-               recorder.recorded(), output.string());
+               recorder.written_until(), output.string());
     return simulation_failed;
 }
 
 int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::path& output) {
     recorder.close("interrupted", integrator.statistics());
     fmt::print(stderr, "drillstrand: interrupted; results up to {:.6g} s are complete in {}\n",
-               recorder.recorded(), output.string());
+               recorder.written_until(), output.string());
     return interrupted;
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 /// Dormand-Prince 5(4) is stable for oscillations and for decay up to about 3.3 / step.
 constexpr double dormand_prince_stability = 3.3;
-constexpr int dormand_prince_evaluations = 6;  ///< seven stages, the first one carried over
 constexpr double leapfrog_stability = 2;
 
 void offer(StepEstimate& estimate, double rate, const char* process) {
@@ -57,20 +56,20 @@ StepEstimate estimate_step(const Case& input, const Scene& scene) {
     estimate.step = leapfrog ? input.run.cfl * leapfrog_stability / estimate.rate
                              : dormand_prince_stability / estimate.rate;
     estimate.steps = std::ceil(input.run.duration / estimate.step);
-    estimate.evaluations = leapfrog ? 1 : dormand_prince_evaluations;
     return estimate;
 }
 
-double time_evaluation(const Case& input, const Scene& scene) {
+FirstSteps time_first_steps(const Case& input, const Scene& scene) {
     using Clock = std::chrono::steady_clock;
-    constexpr auto enough = std::chrono::milliseconds(200);
+    constexpr auto enough = std::chrono::milliseconds(300);
     constexpr int steps_at_once = 20;
     const auto integrator = make_integrator(scene, integrator_options(input.run));
     const Clock::time_point start = Clock::now();
     while (Clock::now() - start < enough && integrator->time() < input.run.duration)
         integrator->advance(input.run.duration, steps_at_once);
-    const auto spent = std::chrono::duration<double>(Clock::now() - start).count();
-    return spent / static_cast<double>(integrator->statistics().evaluations);
+    const double spent = std::chrono::duration<double>(Clock::now() - start).count();
+    const auto count = static_cast<double>(integrator->statistics().steps);
+    return {count, integrator->time() / count, spent / count};
 }
 
 }  // namespace drillstrand::program
