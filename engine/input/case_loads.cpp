@@ -52,22 +52,24 @@ FrictionCoefficients read_friction(const Value& value) {
     return {parts[0].number(not_negative), parts[1].number(not_negative)};
 }
 
-void check_friction(const Table& table, const ContactCase& contact) {
-    const auto check = [&](double dynamic, double standing) {
-        if (dynamic <= standing) return;
-        const bool dynamic_given = table.find("dynamic_friction").has_value();
-        const Value value = *table.find(dynamic_given ? "dynamic_friction" : "static_friction");
-        if (dynamic_given) {
-            value.fail(
-                fmt::format("is {}; expected at most static_friction, {}", dynamic, standing));
-        }
-        value.fail(
-            fmt::format("is {}; expected at least dynamic_friction, which is {} where it is "
-                        "left out",
-                        standing, dynamic));
+/// Dynamic coefficients: as given, at most the static ones; left out, the usual ones or the static
+/// ones where those are less.
+FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase& contact) {
+    const FrictionCoefficients& standing = contact.static_friction;
+    const FrictionCoefficients& usual = contact.dynamic_friction;
+    const std::optional<Value> value = table.find("dynamic_friction");
+    if (!value) {
+        return {std::min(usual.axial, standing.axial),
+                std::min(usual.azimuthal, standing.azimuthal)};
+    }
+    const FrictionCoefficients dynamic = read_friction(*value);
+    const auto check = [&](double sliding, double sticking) {
+        if (sliding <= sticking) return;
+        value->fail(fmt::format("is {}; expected at most static_friction, {}", sliding, sticking));
     };
-    check(contact.dynamic_friction.axial, contact.static_friction.axial);
-    check(contact.dynamic_friction.azimuthal, contact.static_friction.azimuthal);
+    check(dynamic.axial, standing.axial);
+    check(dynamic.azimuthal, standing.azimuthal);
+    return dynamic;
 }
 
 }  // namespace
@@ -147,10 +149,7 @@ ContactCase read_contact(const Table& root) {
     if (const std::optional<Value> value = table.find("static_friction")) {
         contact.static_friction = read_friction(*value);
     }
-    if (const std::optional<Value> value = table.find("dynamic_friction")) {
-        contact.dynamic_friction = read_friction(*value);
-    }
-    check_friction(table, contact);
+    contact.dynamic_friction = read_dynamic_friction(table, contact);
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
     contact.tension = table.boolean("tension", contact.tension);

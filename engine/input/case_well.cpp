@@ -87,14 +87,13 @@ std::optional<FluidCase> read_fluid(const Table& root) {
     if (!value) return std::nullopt;
     const Table table(
         *value, {"density", "viscosity", "inside", "drag", "axial_drag", "film", "added_mass"});
-    if (!root.find("well")) {
-        table.fail("fluid without a well; expected a table [well] beside [fluid], or neither");
-    }
     FluidCase fluid;
     fluid.density = table.require("density", "a density such as \"10 ppg\"")
                         .quantity(dimension::density, positive);
     fluid.drag = table.boolean("drag", fluid.drag);
-    if (fluid.drag || table.find("viscosity")) {
+    // without a well the fluid is still: it buoys the string and does not drag it
+    const bool drags = fluid.drag && root.find("well");
+    if (drags || table.find("viscosity")) {
         fluid.viscosity =
             table.require("viscosity", "a viscosity such as \"1 cP\", or drag = false")
                 .quantity(dimension::viscosity, not_negative);

@@ -1,6 +1,7 @@
 #include "model/initial_shape.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -10,38 +11,106 @@ namespace drillstrand {
 
 namespace {
 
-/// Strain that turns the section by the shortest way until d3 points along `direction`, over a
-/// length h: bending only.
-Vector6 bend_toward(const Pose& pose, const Eigen::Vector3d& direction, double h) {
-    const Eigen::Vector3d d3 = pose.frame.col(0);
-    const Eigen::Vector3d axis = d3.cross(direction);
+/// Solves a symmetric tridiagonal system for vectors, in place: diagonal d (n), off-diagonal e
+/// (n - 1), right-hand sides x (n). Thomas' algorithm; the matrix is positive definite.
+void solve_tridiagonal(std::vector<double> d, const std::vector<double>& e,
+                       std::vector<Eigen::Vector3d>& x) {
+    const std::size_t n = d.size();
+    for (std::size_t k = 1; k < n; ++k) {
+        const double factor = e[k - 1] / d[k - 1];
+        d[k] -= factor * e[k - 1];
+        x[k] -= factor * x[k - 1];
+    }
+    x[n - 1] /= d[n - 1];
+    for (std::size_t k = n - 1; k-- > 0;)
+        x[k] = (x[k] - e[k] * x[k + 1]) / d[k];
+}
+
+/// Directors of a rod whose nodes are held at given points, the first one at `head`: those that
+/// minimise the energy of bending and shear, sum of EI |t_k+1 - t_k|^2 / h + kGA h |chord - mean of
+/// t_k and t_k+1|^2, linear in the small turns between neighbours.
+std::vector<Eigen::Vector3d> relaxed_directors(const StringMesh& mesh,
+                                               const std::vector<Eigen::Vector3d>& position,
+                                               const Eigen::Vector3d& head) {
+    const std::size_t segments = mesh.length.size();
+    std::vector<double> diagonal(segments, 0.0);  // unknowns: nodes 1..N
+    std::vector<double> off_diagonal(segments - 1, 0.0);
+    std::vector<Eigen::Vector3d> director(segments, Eigen::Vector3d::Zero());
+    for (std::size_t k = 0; k < segments; ++k) {
+        const double bend = mesh.segment[k].bending_stiffness / mesh.length[k];
+        const double shear = mesh.segment[k].shear_stiffness * mesh.length[k] / 4;
+        const Eigen::Vector3d chord = (position[k + 1] - position[k]).normalized();
+        diagonal[k] += bend + shear;
+        director[k] += 2 * shear * chord;
+        if (k == 0) {
+            director[0] += (bend - shear) * head;
+        } else {
+            diagonal[k - 1] += bend + shear;
+            off_diagonal[k - 1] = shear - bend;
+            director[k - 1] += 2 * shear * chord;
+        }
+    }
+    solve_tridiagonal(diagonal, off_diagonal, director);
+    director.insert(director.begin(), head);
+    for (Eigen::Vector3d& t : director)
+        t.normalize();
+    return director;
+}
+
+/// Strain of a segment that takes a pose to the next node: the section turns by the shortest way
+/// until d3 is `director`, and the segment ends at `position`.
+Vector6 strain_between(const Pose& pose, const Eigen::Vector3d& director,
+                       const Eigen::Vector3d& position, double h) {
+    const Eigen::Matrix3d to_body = pose.frame.transpose();
+    const Eigen::Vector3d turned = to_body * director;  // (along d3, d1, d2)
+    const Eigen::Vector3d axis = Eigen::Vector3d::UnitX().cross(turned);
     const double sine = axis.norm();
-    const double angle = std::atan2(sine, d3.dot(direction));
-    Vector6 strain;
-    strain << Eigen::Vector3d::Zero(), 1, 0, 0;
-    if (sine > 0) strain.head<3>() = pose.frame.transpose() * axis * (angle / sine / h);
+    const double angle = std::atan2(sine, turned.x());
+    Vector6 strain = Vector6::Zero();
+    if (sine > 0) strain.head<3>() = axis * (angle / sine / h);
+    // The displacement is linear in the three components of g: its matrix is T.
+    Eigen::Matrix3d displacement;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const Eigen::Vector3d g = Eigen::Vector3d::Unit(i);
+        const SegmentPose step = segment_pose(h, strain[0], strain[1], strain[2], g[0], g[1], g[2]);
+        displacement.col(i) = Eigen::Map<const Eigen::Vector3d>(step.position);
+    }
+    strain.tail<3>() = displacement.inverse() * (to_body * (position - pose.position));
     return strain;
 }
 
-/// Segments that bend like the well but neither stretch nor shear cannot keep every node on the
-/// axis where its curvature changes within a segment. Each segment therefore ends not quite along
-/// the well but tilted toward the axis, by a part of what would cancel the node's offset over one
-/// segment: offsets then stay of the order of c h^2/16 and die out within a few segments.
+/// Strains of a string whose nodes lie on the axis of the well, neither stretched nor twisted.
+/// Where the well's curvature changes within a segment, a little shear remains, as in a rod that is
+/// held at its nodes. The spacing of the nodes along the well is adjusted until no segment is
+/// stretched.
 std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, const Pose& head) {
-    constexpr double correction = 0.3;
-    std::vector<Vector6> strains;
-    Pose pose = head;
-    const double mouth = well.measured_depth_start();
-    std::size_t arc = well.arc_at(mouth);
-    for (std::size_t k = 0; k < mesh.length.size(); ++k) {
-        const double h = mesh.length[k];
-        arc = well.find_arc(pose.position, arc);
-        const Eigen::Vector3d to_axis = well.project(pose.position, arc).axis - pose.position;
-        const Eigen::Vector3d ahead = well.at(mouth + mesh.node_s[k + 1]).direction;
-        const Eigen::Vector3d direction = (ahead + correction / h * to_axis).normalized();
-        strains.push_back(bend_toward(pose, direction, h));
-        pose = poses_from_strains(pose, {h}, {strains.back()}).back();
+    constexpr int rounds = 20;
+    constexpr double negligible_stretch = 1e-13;
+    const std::size_t segments = mesh.length.size();
+    std::vector<double> spacing = mesh.length;
+    std::vector<Vector6> strains(segments);
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<Eigen::Vector3d> position = {head.position};
+        double depth = well.measured_depth_start();
+        for (const double step : spacing) {
+            depth += step;
+            position.push_back(well.at(depth).axis);
+        }
+        const std::vector<Eigen::Vector3d> director =
+            relaxed_directors(mesh, position, head.frame.col(0));
+        Pose pose = head;
+        double stretch = 0;
+        for (std::size_t k = 0; k < segments; ++k) {
+            const double h = mesh.length[k];
+            strains[k] = strain_between(pose, director[k + 1], position[k + 1], h);
+            stretch = std::max(stretch, std::abs(strains[k][3] - 1));
+            spacing[k] *= 1 + (1 - strains[k][3]);
+            pose = poses_from_strains(pose, {h}, {strains[k]}).back();
+        }
+        if (stretch < negligible_stretch) break;
     }
+    for (Vector6& strain : strains)
+        strain[3] = 1;
     return strains;
 }
 

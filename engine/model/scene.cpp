@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "drillstrand/error.hpp"
 #include "model/initial_shape.hpp"
 
 namespace drillstrand {
@@ -85,7 +87,11 @@ Scene build_scene(const Case& input) {
     scene.head = input.head;
     scene.bit = input.bit;
     if (input.well) {
-        scene.well.emplace(*input.well);
+        try {
+            scene.well.emplace(*input.well);
+        } catch (const std::invalid_argument& error) {
+            throw InputError({input.path.string()}, error.what());
+        }
         scene.normal_damping = normal_dampings(input.contact, scene.mesh);
     }
 

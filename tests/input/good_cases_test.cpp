@@ -295,6 +295,22 @@ TEST(GoodCases, StrongerComponentsFitWhereTheWellIsWide) {
     EXPECT_EQ(input.well->sections.size(), 2U);
 }
 
+TEST(GoodCases, FluidWithoutAWellBuoysAndNeedsNoViscosity) {
+    const Case input = read_text(smallest_case + "[fluid]\ndensity = 1000\n");
+    EXPECT_EQ(input.fluid->density, 1000);
+}
+
+TEST(GoodCases, DynamicFrictionLeftOutNeverExceedsTheStaticOne) {
+    const Case input = read_text(smallest_case + "[contact]\nstatic_friction = [0.5, 0.3]\n");
+    EXPECT_EQ(input.contact.dynamic_friction.axial, 0.42);
+    EXPECT_EQ(input.contact.dynamic_friction.azimuthal, 0.3);
+}
+
+TEST(GoodCases, ACurvedStringMayStartInItsOwnShape) {
+    const Case input = read_text(smallest_case + "[initial]\nstate = \"stress-free\"\n");
+    EXPECT_EQ(input.initial.state, InitialState::stress_free);
+}
+
 TEST(GoodCases, WindowsLineEndsAndByteOrderMarksDoNoHarm) {
     std::string text = "\xEF\xBB\xBF";
     for (const char c : smallest_case)
