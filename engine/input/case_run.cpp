@@ -11,11 +11,10 @@ constexpr int most_threads = 4096;
 InitialCase read_initial(const Table& root) {
     const Table table = root.subtable("initial", {"state", "curvature", "offset"});
     InitialCase initial;
-    initial.state = table.choice<InitialState>(
-        "state", initial.state,
-        {{"coaxial", InitialState::coaxial},
-         {"stress-free", InitialState::stress_free},
-         {"equilibrium", InitialState::equilibrium}});
+    initial.state = table.choice<InitialState>("state", initial.state,
+                                               {{"coaxial", InitialState::coaxial},
+                                                {"stress-free", InitialState::stress_free},
+                                                {"equilibrium", InitialState::equilibrium}});
     initial.curvature = table.vector("curvature", dimension::curvature);
     initial.offset = table.vector("offset", dimension::length);
     return initial;
