@@ -1,0 +1,30 @@
+/// What an object file's kernels compute with, read from objdump.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace drillstrand::test {
+
+/// Arithmetic on doubles (add, subtract, multiply, divide, square root, fused multiply-add,
+/// minimum, maximum) in one version of a kernel.
+struct VectorUse {
+    int packed_entries = 0;  ///< entries of all packed instructions: 2, 4 or 8 each
+    int scalar_entries = 0;  ///< scalar instructions, one entry each
+    int widest = 1;          ///< entries of the widest packed instruction
+    int calls = 0;           ///< of other functions
+
+    [[nodiscard]] double packed_share() const {
+        return packed_entries == 0
+                   ? 0.0
+                   : static_cast<double>(packed_entries) / (packed_entries + scalar_entries);
+    }
+};
+
+/// The versions of the kernels in object files, by the kernel's name and then by that of the
+/// instruction set ("arch_x86_64_v4", "arch_x86_64_v3", "default"). `objects` are paths separated
+/// by blanks. Throws std::runtime_error where objdump fails.
+using Kernels = std::map<std::string, std::map<std::string, VectorUse>>;
+Kernels read_kernels(const std::string& objdump, const std::string& objects);
+
+}  // namespace drillstrand::test
