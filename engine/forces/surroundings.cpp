@@ -39,10 +39,6 @@ DRILLSTRAND_KERNEL void advance_paper_springs(double* a, double* t, double* s, c
     advance_springs_of_block<true>(a, t, s, d, n, va, vt, dt, k, p);
 }
 
-Triple triple(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 }  // namespace
 
 SurroundingsParameters surroundings_parameters(const Scene& scene) {
@@ -111,6 +107,29 @@ void Surroundings::enter_arc(std::size_t node, std::size_t arc) {
 ArcNumbers Surroundings::arc_numbers(std::size_t node) const {
     const WellArc& a = well_->arcs()[arc_[node]];
     return {triple(a.start), triple(a.tangent), triple(a.normal), a.curvature, a.radius};
+}
+
+NodeContact Surroundings::contact(std::size_t node, const Eigen::Vector3d& position) const {
+    NodeContact result;
+    if (empty()) return result;
+    const WellFrame frame = well_frame(triple(position), arc_numbers(node));
+    result.eccentricity = frame.eccentricity;
+    result.well_depth = well_->project(position, arc_[node]).measured_depth;
+    const double dr = penetration(frame.eccentricity, row(hole)[node], row(pipe)[node]);
+    if (dr <= 0) return result;
+    const FrictionSpring spring = {{row(elongation_axial)[node], row(elongation_azimuthal)[node]},
+                                   row(sliding)[node]};
+    const FrictionParameters& p = parameters_.friction;
+    result.penetration = dr;
+    result.normal_force = row(normal)[node];
+    const Tangential rub = friction_force(spring, result.normal_force, p);
+    result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
+                   rub.azimuthal * vector(frame.t);
+    const double stretch2 = spring.elongation.axial * spring.elongation.axial +
+                            spring.elongation.azimuthal * spring.elongation.azimuthal;
+    result.spring_energy =
+        0.5 * parameters_.normal_stiffness * dr * dr + 0.5 * p.stiffness * stretch2;
+    return result;
 }
 
 bool Surroundings::changes(std::size_t block) const {

@@ -1,6 +1,7 @@
 /// What each node knows of the well around it, in the layout of the step loop.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -23,6 +24,16 @@ struct SurroundingsParameters {
 };
 
 SurroundingsParameters surroundings_parameters(const Scene& scene);
+
+/// Contact of one node as reports show it.
+struct NodeContact {
+    double eccentricity = 0;                          ///< m
+    double well_depth = 0;                            ///< measured depth of its section (m)
+    double penetration = 0;                           ///< m; 0 in the open hole
+    double normal_force = 0;                          ///< N/m
+    double spring_energy = 0;                         ///< of normal and friction springs (J/m)
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< wall on pipe, space frame (N/m)
+};
 
 /// Per-node state of contact and friction, and the arc of well each node is in.
 class Surroundings {
@@ -81,8 +92,11 @@ class Surroundings {
         }
     }
 
+    /// Contact of a node at `position`, with the normal force of the last node kernel. Everything
+    /// is zero without a well.
+    [[nodiscard]] NodeContact contact(std::size_t node, const Eigen::Vector3d& position) const;
+
     [[nodiscard]] ArcNumbers arc_numbers(std::size_t node) const;
-    [[nodiscard]] std::size_t arc(std::size_t node) const { return arc_[node]; }
 
   private:
     void enter_arc(std::size_t node, std::size_t arc);

@@ -1,6 +1,7 @@
 /// The cross section of the well through a node: engine/forces/README.md, "Well frame".
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 #include "numerics/kernel.hpp"
@@ -22,6 +23,13 @@ DRILLSTRAND_INLINE Triple cross(const Triple& a, const Triple& b) {
 
 DRILLSTRAND_INLINE Triple combine(double a, const Triple& u, double b, const Triple& v) {
     return {a * u.x + b * v.x, a * u.y + b * v.y, a * u.z + b * v.z};
+}
+
+inline Triple triple(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Eigen::Vector3d vector(const Triple& v) {
+    return {v.x, v.y, v.z};
 }
 
 /// The numbers of the arc of well that a node carries with it.

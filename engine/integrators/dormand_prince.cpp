@@ -92,23 +92,13 @@ std::vector<Eigen::Vector3d> initial_positions(const Scene& scene) {
 
 }  // namespace
 
-/// Contact of one node, for reports.
-struct DormandPrince::NodeContact {
-    double eccentricity = 0;
-    double well_depth = 0;
-    double penetration = -std::numeric_limits<double>::infinity();
-    double normal_force = 0;
-    double spring_energy = 0;  ///< per length
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
-};
-
 DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads)
     : scene_(scene),
       tolerances_(tolerances),
       model_(scene),
       surroundings_(scene, initial_positions(scene)),
       work_(static_cast<std::size_t>(scene.segments) + 1),
-      barrier_(threads) {
+      barrier_(1) {
     const std::size_t nodes = static_cast<std::size_t>(scene.segments) + 1;
     const std::size_t blocks = blocks_for(nodes);
     for (BlockTable& table : states_)
@@ -153,10 +143,18 @@ DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, i
     }
     state_ = &states_[0];
     if (scene.head.motion == HeadMotion::driven) initial_head_energy_ = node_kinetic_energy(0);
+    // the first rates, by one worker for all: contact at time 0 is then known
+    share_blocks(workers_.front(), 0, 1);
+    evaluate(workers_.front(), 0, 0.0, states_[0], head_);
+    for (Worker& worker : workers_) {
+        worker.head_rate = workers_.front().head_rate;
+        worker.statistics = workers_.front().statistics;
+    }
     const std::vector<Pose> pose = poses();
     initial_potential_ = potential_energy(pose);
     for (std::size_t k = 0; k < nodes; ++k) {
-        initial_spring_energy_ += scene.mesh.cell[k] * contact(k, pose[k]).spring_energy;
+        initial_spring_energy_ +=
+            scene.mesh.cell[k] * surroundings_.contact(k, pose[k].position).spring_energy;
     }
 }
 
@@ -202,10 +200,6 @@ void DormandPrince::run(Worker& worker, double end, std::int64_t max_steps) {
         const double step = left <= worker.step      ? left
                             : left < 2 * worker.step ? left / 2
                                                      : worker.step;
-        if (!worker.first_rate_known) {
-            evaluate(worker, 0, worker.time, *worker.state, worker.head);
-            worker.first_rate_known = true;
-        }
         for (std::size_t stage = 1; stage < stages; ++stage) {
             combine(worker, stage, step);
             barrier_.wait();
@@ -438,34 +432,6 @@ Vector6 DormandPrince::velocity(const BlockTable& state, std::size_t node) const
 
 // ------------------------------------------------------------------ what the run reports
 
-DormandPrince::NodeContact DormandPrince::contact(std::size_t node, const Pose& pose) const {
-    NodeContact result;
-    if (surroundings_.empty()) return result;
-    const SurroundingsParameters& p = surroundings_.parameters();
-    const ArcNumbers arc = surroundings_.arc_numbers(node);
-    const WellFrame frame = well_frame(triple(pose.position), arc);
-    const Eigen::Vector3d velocity_space = pose.frame * velocity(*state_, node).tail<3>();
-    result.eccentricity = frame.eccentricity;
-    result.well_depth = scene_.well->project(pose.position, surroundings_.arc(node)).measured_depth;
-    result.penetration =
-        penetration(frame.eccentricity, arc.radius, scene_.mesh.node[node].outer_radius);
-    if (result.penetration <= 0) return result;
-    result.normal_force =
-        normal_force(result.penetration, velocity_space.dot(vector(frame.r)), p.normal_stiffness,
-                     scene_.normal_damping[node], p.least_normal);
-    const FrictionSpring spring = {{surroundings_.row(Surroundings::elongation_axial)[node],
-                                    surroundings_.row(Surroundings::elongation_azimuthal)[node]},
-                                   surroundings_.row(Surroundings::sliding)[node]};
-    const Tangential rub = friction_force(spring, result.normal_force, p.friction);
-    result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
-                   rub.azimuthal * vector(frame.t);
-    const double stretch2 = spring.elongation.axial * spring.elongation.axial +
-                            spring.elongation.azimuthal * spring.elongation.azimuthal;
-    result.spring_energy = 0.5 * p.normal_stiffness * result.penetration * result.penetration +
-                           0.5 * p.friction.stiffness * stretch2;
-    return result;
-}
-
 std::vector<Pose> DormandPrince::poses() const {
     std::vector<Vector6> strain(model_.segments);
     for (std::size_t k = 0; k < model_.segments; ++k) {
@@ -515,7 +481,7 @@ SeriesRecord DormandPrince::series() const {
     const std::size_t last = model_.segments;
     double spring_energy = 0;
     for (std::size_t k = 0; k <= last; ++k) {
-        const NodeContact c = contact(k, pose[k]);
+        const NodeContact c = surroundings_.contact(k, pose[k].position);
         if (c.penetration <= 0) continue;
         ++record.contact_nodes;
         record.max_penetration = std::max(record.max_penetration, c.penetration);
@@ -541,7 +507,7 @@ Profile DormandPrince::profile() const {
         profile.position.push_back(pose[k].position);
         profile.director.emplace_back(pose[k].frame.col(0));
         profile.momentum.push_back(momentum_of(*state_, k));
-        const NodeContact c = contact(k, pose[k]);
+        const NodeContact c = surroundings_.contact(k, pose[k].position);
         profile.eccentricity.push_back(c.eccentricity);
         profile.well_depth.push_back(c.well_depth);
         profile.contact_force.push_back(c.force);

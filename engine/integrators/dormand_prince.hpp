@@ -49,7 +49,6 @@ class DormandPrince final : public Integrator {
         std::vector<Pose> block_start;
         double time = 0;
         double step = 0;  ///< proposed for the next step (s)
-        bool first_rate_known = false;
         bool underflow = false;
         StepStatistics statistics;
     };
@@ -73,9 +72,7 @@ class DormandPrince final : public Integrator {
     [[nodiscard]] bool owns_bit(const Worker& worker) const;
 
     // What the run reports.
-    struct NodeContact;
     [[nodiscard]] std::vector<Pose> poses() const;
-    [[nodiscard]] NodeContact contact(std::size_t node, const Pose& pose) const;
     [[nodiscard]] EnergyAccount energy(const std::vector<Pose>& poses, double spring_energy) const;
     [[nodiscard]] double node_kinetic_energy(std::size_t node) const;
     [[nodiscard]] double potential_energy(const std::vector<Pose>& poses) const;
