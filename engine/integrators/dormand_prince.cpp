@@ -74,13 +74,6 @@ DRILLSTRAND_KERNEL double block_error(const std::array<const double*, 7>& k, con
     return sum;
 }
 
-Triple triple(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-Eigen::Vector3d vector(const Triple& v) {
-    return {v.x, v.y, v.z};
-}
-
 std::vector<Eigen::Vector3d> initial_positions(const Scene& scene) {
     std::vector<Eigen::Vector3d> position;
     for (const Pose& pose : poses_from_strains({scene.head_frame, scene.head_position},
