@@ -1,0 +1,186 @@
+// Normal force and friction of one node whose motion along the wall is prescribed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "forces/contact.hpp"
+
+namespace drillstrand {
+namespace {
+
+constexpr double stiffness = 1e6;  // k_tan (Pa)
+constexpr double normal = 250;     // N/m
+constexpr double touching = 1e-3;  // m of penetration
+constexpr double inside = -1e-3;   // m of open hole
+
+FrictionParameters material(Tangential fixed, Tangential slide, double cone = 1) {
+    return {stiffness, fixed, slide, cone};
+}
+const FrictionParameters steel = material({0.6, 0.6}, {0.42, 0.42});
+
+double size(const Tangential& v) {
+    return std::hypot(v.axial, v.azimuthal);
+}
+
+/// A spring whose surface point has moved in `steps` equal parts.
+FrictionSpring moved(FrictionSpring spring, Tangential way, int steps, const FrictionParameters& p,
+                     double normal_force = normal) {
+    const Tangential slip = {way.axial / steps, way.azimuthal / steps};
+    for (int i = 0; i < steps; ++i)
+        spring = coulomb_spring(spring, slip, normal_force, touching, p);
+    return spring;
+}
+
+TEST(NormalForce, IsSpringAndDashpotTowardTheAxis) {
+    EXPECT_DOUBLE_EQ(normal_force(2e-3, 0.1, 1e7, 1e4, 0), 2e4 - 1e3);
+    EXPECT_DOUBLE_EQ(normal_force(2e-3, -0.1, 1e7, 1e4, 0), 2e4 + 1e3);
+}
+
+TEST(NormalForce, NeverPullsUnlessTheDashpotMay) {
+    const double free = -std::numeric_limits<double>::infinity();
+    EXPECT_EQ(normal_force(1e-4, 1.0, 1e7, 1e4, 0), 0);
+    EXPECT_DOUBLE_EQ(normal_force(1e-4, 1.0, 1e7, 1e4, free), 1e3 - 1e4);
+}
+
+TEST(NormalForce, VanishesInTheOpenHole) {
+    const double free = -std::numeric_limits<double>::infinity();
+    EXPECT_EQ(normal_force(-1e-4, -1.0, 1e7, 1e4, 0), 0);
+    EXPECT_EQ(normal_force(-1e-4, 1.0, 1e7, 1e4, free), 0);
+    EXPECT_EQ(normal_force(0, -1.0, 1e7, 1e4, 0), 0);
+}
+
+TEST(Coulomb, BelowTheStaticLimitFrictionIsASpring) {
+    const double way = 0.59 * normal / stiffness;
+    const FrictionSpring spring = moved({}, {way, 0}, 50, steel);
+    EXPECT_EQ(spring.sliding, 0);
+    EXPECT_NEAR(friction_force(spring, normal, steel).axial, -0.59 * normal, 1e-9);
+    EXPECT_EQ(friction_force(spring, normal, steel).azimuthal, 0);
+}
+
+TEST(Coulomb, SteadySlidingIsHeldByDynamicFrictionNotBySomeMeanOfBoth) {
+    FrictionSpring spring = moved({}, {1e-3, 0}, 1000, steel);
+    double sum = 0;
+    constexpr int samples = 1000;
+    for (int i = 0; i < samples; ++i) {
+        spring = moved(spring, {1e-6, 0}, 1, steel);
+        sum += friction_force(spring, normal, steel).axial;
+        EXPECT_EQ(spring.sliding, 1);
+    }
+    EXPECT_NEAR(sum / samples, -0.42 * normal, 1e-9 * normal);
+}
+
+TEST(Coulomb, SlidingPointSticksAgainWithTheStaticLimitWhenItTurnsBack) {
+    FrictionSpring spring = moved({}, {1e-3, 0}, 1000, steel);
+    spring = moved(spring, {-1e-5, 0}, 1, steel);
+    EXPECT_EQ(spring.sliding, 0);
+    // from -0.42 N to nearly +0.6 N without slip
+    spring = moved(spring, {-(0.42 + 0.59) * normal / stiffness + 1e-5, 0}, 100, steel);
+    EXPECT_EQ(spring.sliding, 0);
+    EXPECT_NEAR(friction_force(spring, normal, steel).axial, 0.59 * normal, 1e-6 * normal);
+}
+
+TEST(Coulomb, ConeIsRoundAndFrictionPointsAgainstTheSlip) {
+    for (double angle = 0; angle < 6.3; angle += 0.3) {
+        const Tangential way = {1e-2 * std::cos(angle), 1e-2 * std::sin(angle)};
+        const FrictionSpring spring = moved({}, way, 1000, steel);
+        const Tangential force = friction_force(spring, normal, steel);
+        EXPECT_NEAR(size(force), 0.42 * normal, 1e-9 * normal);
+        EXPECT_NEAR(force.axial, -0.42 * normal * std::cos(angle), 1e-9 * normal);
+        EXPECT_NEAR(force.azimuthal, -0.42 * normal * std::sin(angle), 1e-9 * normal);
+    }
+}
+
+// Rotation frees a string axially: the friction of fast rotation has no axial part left.
+TEST(Coulomb, RotationTakesTheAxialFriction) {
+    const FrictionSpring spring = moved({}, {1e-3, 1e-1}, 10000, steel);
+    EXPECT_NEAR(friction_force(spring, normal, steel).axial, -0.42 * normal * 0.01, 1e-4 * normal);
+}
+
+TEST(Coulomb, CoefficientsMayDifferAlongAndAroundTheWell) {
+    const FrictionParameters grooved = material({0.3, 0.6}, {0.2, 0.5});
+    const FrictionSpring along = moved({}, {1e-2, 0}, 1000, grooved);
+    const FrictionSpring around = moved({}, {0, 1e-2}, 1000, grooved);
+    EXPECT_NEAR(friction_force(along, normal, grooved).axial, -0.2 * normal, 1e-9 * normal);
+    EXPECT_NEAR(friction_force(around, normal, grooved).azimuthal, -0.5 * normal, 1e-9 * normal);
+    // in between, the force ends on the ellipse
+    const FrictionSpring diagonal = moved({}, {1e-2, 1e-2}, 1000, grooved);
+    const Tangential force = friction_force(diagonal, normal, grooved);
+    EXPECT_NEAR(std::hypot(force.axial / 0.2, force.azimuthal / 0.5), normal, 1e-9 * normal);
+}
+
+TEST(Coulomb, DirectionWithoutFrictionIsFree) {
+    const FrictionParameters rails = material({0, 0.6}, {0, 0.42});
+    const FrictionSpring spring = moved({}, {1e-2, 1e-2}, 1000, rails);
+    EXPECT_EQ(friction_force(spring, normal, rails).axial, 0);
+    EXPECT_NEAR(friction_force(spring, normal, rails).azimuthal, -0.42 * normal, 1e-9 * normal);
+    const FrictionParameters ice = material({0, 0}, {0, 0});
+    EXPECT_EQ(size(friction_force(moved({}, {1e-2, 1e-2}, 10, ice), normal, ice)), 0);
+}
+
+TEST(Coulomb, FallingNormalForceTakesTheLimitWithIt) {
+    const FrictionSpring spring = moved({}, {1e-3, 0}, 1000, steel);
+    EXPECT_NEAR(friction_force(spring, 100, steel).axial, -42, 1e-9);
+    EXPECT_NEAR(friction_force(spring, 0, steel).axial, 0, 1e-300);
+}
+
+TEST(Coulomb, SpringIsForgottenInTheOpenHole) {
+    const FrictionSpring stretched = moved({}, {1e-3, 1e-3}, 1000, steel);
+    const FrictionSpring spring = coulomb_spring(stretched, {0, 0}, 0, inside, steel);
+    EXPECT_EQ(size(spring.elongation), 0);
+    EXPECT_EQ(spring.sliding, 0);
+}
+
+TEST(Coulomb, SlipOfASpinningPipeIsThatOfItsSurface) {
+    const Tangential rolling = slip_velocity(0.2, -0.7, 10, 0.07);
+    EXPECT_DOUBLE_EQ(rolling.axial, 0.2);
+    EXPECT_NEAR(rolling.azimuthal, 0, 1e-15);
+}
+
+// --- the paper's two springs
+
+/// Mean force of one of the paper's springs over many teeth of its saw.
+Tangential mean_paper_force(Tangential direction) {
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    constexpr int steps = 200000;
+    const double step = 0.18 * normal / stiffness / 500;  // 500 steps to a tooth
+    FrictionSpring spring{};
+    Tangential sum = {0, 0};
+    for (int i = 0; i < steps; ++i) {
+        spring = paper_spring(spring, {step * direction.axial, step * direction.azimuthal}, normal,
+                              touching, p);
+        const Tangential force = friction_force(spring, normal, p);
+        sum.axial += force.axial / steps;
+        sum.azimuthal += force.azimuthal / steps;
+    }
+    return sum;
+}
+
+TEST(PaperLaw, SawtoothHasTheMeanOfStaticAndDynamicFriction) {
+    EXPECT_NEAR(mean_paper_force({1, 0}).axial, -0.51 * normal, 0.005 * normal);
+    EXPECT_NEAR(mean_paper_force({0, -1}).azimuthal, 0.51 * normal, 0.005 * normal);
+}
+
+TEST(PaperLaw, SpringsAreIndependentSoThatDiagonalSlidingMeetsMoreThanTheConeAllows) {
+    const Tangential force = mean_paper_force({1, 1});
+    EXPECT_NEAR(force.axial, -0.51 * normal, 0.005 * normal);
+    EXPECT_NEAR(force.azimuthal, -0.51 * normal, 0.005 * normal);
+}
+
+TEST(PaperLaw, SpringBeyondTheStaticLimitIsShortenedToTheDynamicOne) {
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    const double limit = 0.6 * normal / stiffness;
+    const FrictionSpring below = paper_spring({}, {0.999 * limit, 0}, normal, touching, p);
+    EXPECT_DOUBLE_EQ(below.elongation.axial, 0.999 * limit);
+    const FrictionSpring past = paper_spring({}, {-1.001 * limit, 0}, normal, touching, p);
+    EXPECT_DOUBLE_EQ(past.elongation.axial, -0.42 * normal / stiffness);
+}
+
+TEST(PaperLaw, SpringsAreForgottenInTheOpenHole) {
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    const FrictionSpring spring = paper_spring({{1e-4, -1e-4}, 0}, {0, 0}, 0, inside, p);
+    EXPECT_EQ(size(spring.elongation), 0);
+}
+
+}  // namespace
+}  // namespace drillstrand
