@@ -231,8 +231,8 @@ TEST(ResultFile, OtherProgramsFindEveryDatasetWithUnitsAndDescription) {
         writer.append(run.profile(k));
     writer.flush(run.footer("running"));
     // The script runs while the writer has the file open.
-    const std::string command = python + " " +
-                                DRILLSTRAND_SOURCE_DIR "/tests/results/open_with_h5py.py " +
+    const std::string command = python +
+                                " '" DRILLSTRAND_SOURCE_DIR "/tests/results/open_with_h5py.py' " +
                                 (folder / "out.h5").string();
     EXPECT_EQ(std::system(command.c_str()), 0);
 }
