@@ -74,6 +74,13 @@ DRILLSTRAND_KERNEL double block_error(const std::array<const double*, 7>& k, con
     return sum;
 }
 
+double mean_over_stages(const std::array<double, 7>& power) {
+    double mean = 0.0;
+    for (std::size_t i = 0; i < power.size(); ++i)
+        mean += Tableau::b[i] * power[i];
+    return mean;
+}
+
 std::vector<Eigen::Vector3d> initial_positions(const Scene& scene) {
     std::vector<Eigen::Vector3d> position;
     for (const Pose& pose : poses_from_strains({scene.head_frame, scene.head_position},
@@ -340,18 +347,13 @@ void DormandPrince::accept(Worker& worker, double step) {
             power += Tableau::b[i] * block_power_[i][block];
         block_outflow_[block] -= step * power;
     }
-    double head_power = 0.0;
-    double bit_power = 0.0;
-    for (std::size_t i = 0; i < stages; ++i) {
-        head_power += Tableau::b[i] * head_power_[i];
-        bit_power += Tableau::b[i] * bit_power_[i];
-    }
+    // Only the owner of an end reads its powers: it also overwrites the first for the next step.
     if (owns_head(worker)) {
-        head_work_ += step * head_power;
+        head_work_ += step * mean_over_stages(head_power_);
         head_power_[0] = head_power_.back();
     }
     if (owns_bit(worker)) {
-        bit_work_ += step * bit_power;
+        bit_work_ += step * mean_over_stages(bit_power_);
         bit_power_[0] = bit_power_.back();
     }
 
