@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""Time per node of each kernel beside its scalar twin, as a table.
+
+Runs bench_kernels with the repetitions of all benchmarks in random order, so that a change of the
+machine's speed meets all of them, and takes the median of each.
+"""
+
+import argparse
+import json
+import subprocess
+
+import measure
+
+SIDES = ("vector", "plain", "vector, 2 threads")
+
+
+def medians(build, repetitions, seconds):
+    """{(kernel, segments): {side: ns per node}} from bench_kernels."""
+    command = [measure.executable(build, "bench/bench_kernels"), "--benchmark_format=json",
+               f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={seconds}",
+               "--benchmark_enable_random_interleaving=true",
+               "--benchmark_report_aggregates_only=true"]
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
+    table = {}
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        if entry["aggregate_name"] != "median":
+            continue
+        kernel, side, segments = entry["run_name"].split("/")[:3]
+        table.setdefault((kernel, int(segments)), {})[side] = entry["ns_per_node"]
+    return table
+
+
+def write_readme(table, facts):
+    """One line per kernel, one column per mesh: vector (plain, ratio)."""
+    meshes = sorted({segments for _, segments in table})
+    rows = []
+    for kernel in dict.fromkeys(kernel for kernel, _ in table):
+        row = {"kernel": kernel}
+        for segments in meshes:
+            ns = table[kernel, segments]
+            row[f"N = {segments}"] = (f"{ns['vector']:.1f} ({ns['plain']:.1f}, "
+                                      f"{ns['plain'] / ns['vector']:.1f}x)")
+        if "vector, 2 threads" in table[kernel, meshes[-1]]:
+            ns = table[kernel, meshes[-1]]
+            row[f"2 threads, N = {meshes[-1]}"] = f"{ns['vector, 2 threads']:.1f}"
+        else:
+            row[f"2 threads, N = {meshes[-1]}"] = ""
+        rows.append(row)
+    text = ("Nanoseconds per node, in brackets those of a plain scalar twin (arrays of structures, C "
+            "library functions) that\ncomputes the same, and how many times longer it takes. "
+            "Medians; a step is one attempted Dormand-Prince step, six evaluations of the right-hand "
+            "side.\n\n" + measure.markdown(rows))
+    measure.fill_readme("kernels", facts, text)
+
+
+def main():
+    """Measures, writes the CSV file and, if asked, README.md."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    measure.add_options(parser)
+    parser.add_argument("--repetitions", type=int, default=9)
+    parser.add_argument("--seconds", type=float, default=0.05, help="of each repetition, at least")
+    options = parser.parse_args()
+
+    facts = measure.provenance(options.build)
+    facts.append(("method", f"median of {options.repetitions} repetitions in random order, "
+                            f"{options.seconds} s each; ns of processor time per node, of wall time "
+                            "with 2 threads"))
+    table = medians(options.build, options.repetitions, options.seconds)
+    rows = [{"kernel": kernel, "segments": segments,
+             **{f"{side} (ns per node)": f"{ns[side]:.3f}" if side in ns else "" for side in SIDES}}
+            for (kernel, segments), ns in table.items()]
+    measure.write_csv(measure.results_folder(options.machine) / "kernels.csv", facts, rows)
+    if options.readme:
+        write_readme(table, facts)
+
+
+if __name__ == "__main__":
+    main()
