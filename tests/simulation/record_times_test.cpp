@@ -1,0 +1,146 @@
+// When a run records, and that it stops when it is asked to.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "support/run_case.hpp"
+
+namespace drillstrand::test {
+namespace {
+
+using testing::ElementsAre;
+
+/// Counts steps of 1 ms and knows nothing else: a time loop without physics.
+class Clock final : public Integrator {
+  public:
+    void advance(double end, std::int64_t max_steps) override {
+        for (std::int64_t step = 0; step < max_steps && time_ < end; ++step) {
+            time_ = end - time_ <= 1e-3 ? end : time_ + 1e-3;
+            ++statistics_.steps;
+        }
+    }
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] SeriesRecord series() const override {
+        SeriesRecord record;
+        record.time = time_;
+        return record;
+    }
+    [[nodiscard]] Profile profile() const override {
+        Profile profile;
+        profile.time = time_;
+        return profile;
+    }
+    [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+
+  private:
+    double time_ = 0;
+    StepStatistics statistics_;
+};
+
+struct Times : Observer {
+    std::vector<double> series;
+    std::vector<double> profiles;
+    std::vector<double> progress;
+    double stop_at = 1e300;
+
+    void on_series(const SeriesRecord& record) override { series.push_back(record.time); }
+    void on_profile(const Profile& profile) override { profiles.push_back(profile.time); }
+    bool on_progress(double time, const StepStatistics& /*statistics*/) override {
+        progress.push_back(time);
+        return time < stop_at;
+    }
+};
+
+Times times_of(const RunSchedule& schedule) {
+    Clock clock;
+    Times times;
+    EXPECT_EQ(simulate(clock, schedule, times), RunOutcome::complete);
+    EXPECT_EQ(clock.time(), schedule.duration);
+    return times;
+}
+
+TEST(RecordTimes, AreMultiplesOfTheIntervalAndTheEnd) {
+    const Times times = times_of({1.0, 0.25, 0.5});
+    EXPECT_THAT(times.series, ElementsAre(0, 0.25, 0.5, 0.75, 1.0));
+    EXPECT_THAT(times.profiles, ElementsAre(0, 0.5, 1.0));
+}
+
+TEST(RecordTimes, EndIsRecordedWhereTheIntervalDoesNotDivideTheDuration) {
+    const Times times = times_of({1.0, 0.3, 0.7});
+    EXPECT_THAT(times.series, ElementsAre(0, 0.3, 2 * 0.3, 3 * 0.3, 1.0));
+    EXPECT_THAT(times.profiles, ElementsAre(0, 0.7, 1.0));
+}
+
+TEST(RecordTimes, AreCountedNotSummedSoThatTheyStayExact) {
+    const Times times = times_of({10.0, 0.1, 0});
+    ASSERT_EQ(times.series.size(), 101U);
+    for (std::size_t i = 0; i < times.series.size(); ++i) {
+        EXPECT_EQ(times.series[i], i == 100 ? 10.0 : 0.1 * static_cast<double>(i));
+    }
+}
+
+// 3 * 0.1 is a little more than 0.3
+TEST(RecordTimes, EndIsNotRecordedTwiceWhereTheIntervalDividesTheDurationButForRounding) {
+    EXPECT_THAT(times_of({0.3, 0.1, 0}).series, ElementsAre(0, 0.1, 0.2, 0.3));
+    EXPECT_EQ(times_of({0.7, 0.1, 0}).series.size(), 8U);
+    EXPECT_EQ(times_of({4.9, 0.7, 0}).series.size(), 8U);
+}
+
+TEST(RecordTimes, ProfileIntervalOfZeroLeavesTheFirstAndTheLast) {
+    EXPECT_THAT(times_of({1.0, 0.1, 0}).profiles, ElementsAre(0, 1.0));
+}
+
+TEST(RecordTimes, IntervalLongerThanTheRunLeavesTheFirstAndTheLast) {
+    const Times times = times_of({1.0, 5.0, 7.0});
+    EXPECT_THAT(times.series, ElementsAre(0, 1.0));
+    EXPECT_THAT(times.profiles, ElementsAre(0, 1.0));
+}
+
+TEST(RecordTimes, ProgressIsReportedBetweenDistantRecords) {
+    const Times times = times_of({10.0, 10.0, 0});
+    EXPECT_GE(times.progress.size(), 10U);
+}
+
+TEST(RecordTimes, RunEndsSoonAfterTheObserverAsksForItAndKeepsItsRecords) {
+    Clock clock;
+    Times times;
+    times.stop_at = 2.5;
+    EXPECT_EQ(simulate(clock, {100.0, 1.0, 0}, times), RunOutcome::stopped);
+    EXPECT_LT(clock.time(), 4.0);
+    EXPECT_THAT(times.series, testing::Contains(2.0));
+    EXPECT_THAT(times.series, testing::Each(testing::Le(clock.time())));
+    EXPECT_THAT(times.profiles, ElementsAre(0));
+}
+
+TEST(RecordTimes, OfARealIntegratorAreExactToo) {
+    const test::Run result = run(R"(
+        [string]
+        [[string.component]]
+        length = 20
+        outer_diameter = 0.14
+        inner_diameter = 0.12
+        linear_density = 31.8557
+        youngs_modulus = "200 GPa"
+        [mesh]
+        segments = 2
+        segment_inertia = true
+        [run]
+        duration = 0.1
+        integrator = "dormand-prince"
+        [output]
+        interval = 0.03
+        profile_interval = 0.04)");
+    std::vector<double> series;
+    for (const SeriesRecord& record : result.series)
+        series.push_back(record.time);
+    std::vector<double> profiles;
+    for (const Profile& profile : result.profiles)
+        profiles.push_back(profile.time);
+    EXPECT_THAT(series, ElementsAre(0, 0.03, 2 * 0.03, 3 * 0.03, 0.1));
+    EXPECT_THAT(profiles, ElementsAre(0, 0.04, 2 * 0.04, 0.1));
+}
+
+}  // namespace
+}  // namespace drillstrand::test
