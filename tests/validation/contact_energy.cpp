@@ -1,0 +1,73 @@
+// The energy of a string that rubs, rebounds and stirs the mud in a bent well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drillstrand/energy_audit.hpp"
+#include "validation/contact_pipe.hpp"
+
+namespace drillstrand::test {
+namespace {
+
+/// 60 m of pipe in a well that bends by 30 degrees, let go and turned at the head.
+Case rubbing_string(int segments) {
+    Case input = short_pipe(0);
+    input.well->survey = {{0, 0.6, 0}, {20, 0.6, 0}, {60, 1.1, 0.3}, {100, 1.1, 0.3}};
+    input.well->sections.front().to = 100;
+    FluidCase mud;
+    mud.density = 1200;
+    mud.viscosity = 0.1;
+    input.fluid = mud;
+    input.string.components.front().length = 60;
+    input.mesh.segments = segments;
+    input.head.motion = HeadMotion::driven;
+    input.head.rotation = ScalarSchedule({0, 0.5}, {0, 10});
+    input.contact.normal_stiffness = 1e6;
+    input.contact.normal_damping = 1e3;
+    input.contact.tangential_stiffness = 1e5;
+    input.run.duration = 1;
+    input.output.interval = 0.01;
+    return input;
+}
+
+struct Account {
+    double residual = 0;
+    double dissipation = 0;
+    double largest_return = 0;  ///< of dissipated energy from one record to the next (J)
+};
+
+Account account_of(const Case& input) {
+    EnergyAudit audit;
+    Account account;
+    const test::Run result = run(input);
+    double before = 0;
+    for (const SeriesRecord& record : result.series) {
+        audit.add(record.energy);
+        account.largest_return =
+            std::max(account.largest_return, before - record.energy.dissipation);
+        before = record.energy.dissipation;
+    }
+    EXPECT_GT(result.last().contact_nodes, input.mesh.segments / 5);
+    account.dissipation = before;
+    account.residual = audit.residual();
+    return account;
+}
+
+TEST(Energy, OfARubbingStringIsAccountedForAndDissipationOnlyGrows) {
+    const Account account = account_of(rubbing_string(15));
+    EXPECT_GT(account.dissipation, 100);
+    EXPECT_LT(account.largest_return, 1e-6 * account.dissipation);
+    EXPECT_LT(std::abs(account.residual), 2e-3);
+}
+
+// Momenta are those of the strains' rate, poses those of the strains: over a bent segment they
+// differ by a part that falls with the square of its length.
+TEST(Energy, ResidualFallsWithTheSquareOfTheSegments) {
+    const double coarse = std::abs(account_of(rubbing_string(15)).residual);
+    const double fine = std::abs(account_of(rubbing_string(30)).residual);
+    EXPECT_LT(fine, 0.35 * coarse);
+}
+
+}  // namespace
+}  // namespace drillstrand::test

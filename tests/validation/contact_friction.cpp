@@ -1,0 +1,265 @@
+// Coulomb friction of a pipe on the wall of a straight well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "validation/contact_pipe.hpp"
+
+namespace drillstrand::test {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double degree = std::numbers::pi / 180;
+
+Vector3d none(double /*time*/) {
+    return Vector3d::Zero();
+}
+
+/// Way of the pipe down the well since the start (m).
+double way(const Run& result, const Profile& profile, double inclination) {
+    return (profile.position.front() - result.profiles.front().position.front())
+        .dot(down_the_well(inclination));
+}
+
+/// A pipe that lies on the wall, its weight along the well carried for it at first and left to
+/// friction within 1 s.
+double way_of_a_pipe_left_to_friction(double inclination, FrictionCoefficients fixed,
+                                      FrictionCoefficients slide) {
+    Case input = short_pipe(inclination);
+    input.contact.static_friction = fixed;
+    input.contact.dynamic_friction = slide;
+    input.contact.tangential_stiffness = 1e7;
+    lay_down(input, inclination);
+    const Vector3d carried =
+        -pipe_mass * input.gravity * std::cos(inclination) * down_the_well(inclination);
+    load(
+        input, 1, 0.01,
+        [carried](double t) { return Vector3d((1 - smooth_step(t, 0, 1)) * carried); }, none);
+    input.run.duration = 2;
+    const test::Run result = run(input);
+    return way(result, result.end(), inclination);
+}
+
+// F4: a pipe slides where the inclination is below atan(1/mu).
+TEST(Friction, PipeSlidesWhereTheInclinationIsBelow67point22DegreesForFrictionOf042) {
+    const FrictionCoefficients mu = {0.42, 0.42};
+    EXPECT_GT(way_of_a_pipe_left_to_friction((67.2176 - 0.15) * degree, mu, mu), 5e-3);
+    EXPECT_LT(way_of_a_pipe_left_to_friction((67.2176 + 0.15) * degree, mu, mu), 1e-4);
+}
+
+TEST(Friction, StaticFrictionDecidesWhetherAPipeStartsToSlide) {
+    const FrictionCoefficients fixed = {0.6, 0.6};
+    const FrictionCoefficients slide = {0.42, 0.42};
+    EXPECT_GT(way_of_a_pipe_left_to_friction((59.0362 - 0.15) * degree, fixed, slide), 0.1);
+    EXPECT_LT(way_of_a_pipe_left_to_friction((59.0362 + 0.15) * degree, fixed, slide), 1e-4);
+}
+
+/// Mean acceleration down the well of a pipe that lies on the wall and is let go.
+double sliding_acceleration(double inclination, const ContactCase& contact) {
+    Case input = short_pipe(inclination);
+    input.contact = contact;
+    lay_down(input, inclination);
+    input.run.duration = 1;
+    input.output.profile_interval = 0.5;
+    const test::Run result = run(input);
+    const auto speed = [&](std::size_t i) {
+        return result.profiles.at(i).momentum.front()[3] / pipe_mass;
+    };
+    return (speed(2) - speed(1)) / 0.5;
+}
+
+// The first slip is at 0.6; the spring must not climb back there while the pipe slides.
+TEST(Friction, SlidingPipeIsHeldByDynamicFrictionAlone) {
+    const ContactCase contact;  // 0.6 static, 0.42 dynamic
+    // g (cos - 0.42 sin) with g = 9.81
+    EXPECT_NEAR(sliding_acceleration(30 * degree, contact), 6.435609211, 0.001 * 6.4356);
+    EXPECT_NEAR(sliding_acceleration(45 * degree, contact), 4.023296164, 0.001 * 4.0233);
+}
+
+TEST(Friction, AxialAndAzimuthalCoefficientsAreTheirOwn) {
+    ContactCase contact;
+    contact.static_friction = {0.2, 0.9};
+    contact.dynamic_friction = {0.1, 0.9};
+    const double inclination = 45 * degree;
+    EXPECT_NEAR(sliding_acceleration(inclination, contact), 9.81 * 0.9 * std::sqrt(0.5), 0.007);
+    contact.static_friction.axial = contact.dynamic_friction.axial = 0;
+    EXPECT_NEAR(sliding_acceleration(inclination, contact), 9.81 * std::sqrt(0.5), 0.007);
+}
+
+// F4: a block of 1 m/s stops after v / (mu g) = 0.2427067 s and v^2 / (2 mu g) = 0.1213533 m.
+TEST(Friction, PipePushedToOneMetrePerSecondStopsAfterTwelveCentimetres) {
+    const double inclination = 90 * degree;
+    Case input = short_pipe(inclination);
+    lay_down(input, inclination);
+    const double friction = 0.42 * pipe_mass * input.gravity;
+    const Vector3d push = (pipe_mass * 1.0 / 0.1 + friction) * down_the_well(inclination);
+    load(
+        input, 0.11, 0.01,
+        [push](double t) { return t < 0.105 ? push : Vector3d(Vector3d::Zero()); }, none);
+    input.run.duration = 0.5;
+    input.output.profile_interval = 0.001;
+    const test::Run result = run(input);
+    const auto speed = [&](std::size_t i) {
+        return result.profiles.at(i).momentum.front()[3] / pipe_mass;
+    };
+    constexpr std::size_t begin = 115;  // the push has ended
+    const double v = speed(begin);
+    EXPECT_NEAR(v, 1, 0.1);
+    std::size_t end = begin;
+    while (end < result.profiles.size() && speed(end) > 0)
+        ++end;
+    ASSERT_LT(end, result.profiles.size());
+    const double time = result.profiles[end].time - result.profiles[begin].time;
+    const double distance = way(result, result.profiles[end], inclination) -
+                            way(result, result.profiles[begin], inclination);
+    EXPECT_NEAR(time / v, 0.24270666472501337, 0.0012);
+    EXPECT_NEAR(distance / (v * v), 0.12135333236250669, 0.0006);
+    // and it stays where it is, but for the stretch of the spring
+    EXPECT_NEAR(way(result, result.end(), inclination),
+                way(result, result.profiles[end], inclination), 5e-4);
+}
+
+// F3: torque of a pipe that lies in a horizontal well and is turned, w R sin(atan mu) (N m/m).
+constexpr double climb = 22.782405730481685 * degree;
+const double slipping_torque = pipe_mass * 9.81 * pipe_radius * std::sin(climb);
+
+/// A pipe in a horizontal well under a torque (N m/m) that comes within 4 s and stays for 3.
+Run turned_pipe(double torque) {
+    const double inclination = 90 * degree;
+    Case input = short_pipe(inclination);
+    input.contact.static_friction = input.contact.dynamic_friction = {0.42, 0.42};
+    input.contact.normal_stiffness = 1e6;
+    lay_down(input, inclination);
+    load(input, 4, 0.05, none, [torque](double t) {
+        return Vector3d(torque * smooth_step(t, 0, 4) * Vector3d::UnitX());
+    });
+    input.run.duration = 7;
+    input.output.profile_interval = 0.01;
+    return run(input);
+}
+
+/// Angle of the pipe around the well's axis, from the low side.
+double climbed(const Profile& profile) {
+    const Vector3d& x = profile.position.front();
+    return std::atan2(std::abs(x.y()), x.z());
+}
+
+double spin(const Profile& profile) {
+    return profile.momentum.front()[0] / spin_inertia;
+}
+
+TEST(Friction, PipeUnderLessTorqueRollsUpTheWallAndRests) {
+    const test::Run result = turned_pipe(0.98 * slipping_torque);
+    // balance of couples about the point of contact
+    EXPECT_NEAR(climbed(result.end()), std::asin(0.98 * std::sin(climb)), 0.2 * degree);
+    EXPECT_NEAR(spin(result.end()), 0, 0.1);
+}
+
+TEST(Friction, RotatingPipeClimbsToTheAngleOfFrictionAndTheWallTakesItsTorque) {
+    const double torque = 1.05 * slipping_torque;
+    const test::Run result = turned_pipe(torque);
+    double angle = 0;
+    double normal = 0;
+    double samples = 0;
+    for (std::size_t i = 500; i < result.profiles.size(); ++i) {
+        angle += climbed(result.profiles[i]);
+        normal += result.profiles[i].normal_force.front();
+        ++samples;
+    }
+    // slow swings about the mean stay: nothing damps them while the pipe slides
+    EXPECT_NEAR(angle / samples, climb, 0.01 * climb);
+    EXPECT_NEAR(normal / samples, pipe_mass * 9.81 * std::cos(climb), 0.01 * normal / samples);
+    // what does not spin the pipe up is taken by the wall
+    const double acceleration = (spin(result.end()) - spin(result.profiles.at(500))) / 2;
+    EXPECT_GT(acceleration, 1);
+    EXPECT_NEAR(torque - spin_inertia * acceleration, slipping_torque, 0.005 * slipping_torque);
+}
+
+TEST(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
+    // a load of 300 N/m that goes around carries the weightless pipe along the wall
+    Case input = short_pipe(0);
+    input.gravity = 0;
+    const double press = 300;
+    input.initial.offset = (clearance + press / input.contact.normal_stiffness) * Vector3d::UnitX();
+    const auto angle = [](double t) {  // 2 pi rad/s from 2 s on, without corners
+        constexpr double speed = 2 * std::numbers::pi;
+        const double part = std::min(t, 2.0);
+        const double rising =
+            0.5 * (part - std::sin(std::numbers::pi * part / 2) * 2 / std::numbers::pi);
+        return speed * (rising + std::max(t - 2, 0.0));
+    };
+    load(
+        input, 4, 0.005,
+        [angle, press](double t) {
+            return Vector3d(press * Vector3d(std::cos(angle(t)), std::sin(angle(t)), 0));
+        },
+        none);
+    input.run.duration = 4;
+    input.output.profile_interval = 0.002;
+    const test::Run result = run(input);
+    double whirled = 0;
+    double spun = 0;
+    for (std::size_t i = 1501; i < result.profiles.size(); ++i) {  // the last second
+        const Profile& now = result.profiles[i];
+        const Profile& before = result.profiles[i - 1];
+        const Vector3d& a = before.position.front();
+        const Vector3d& b = now.position.front();
+        whirled += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+        spun += 0.5 * (spin(now) + spin(before)) * (now.time - before.time);
+    }
+    EXPECT_NEAR(whirled, 2 * std::numbers::pi, 0.02);
+    EXPECT_NEAR(whirled / spun, -pipe_radius / clearance, 0.005 * 1.75);  // -1.75
+}
+
+// --- F1: the pull of a string around a bend falls by exp(mu times the angle)
+
+/// Straight 2 m, a bend of 90 degrees on 20 m, straight 3 m; a limp string clamped at the head.
+double capstan_ratio(double friction) {
+    constexpr double bend = 20 * std::numbers::pi / 2;
+    Case input;
+    input.gravity = 0;
+    WellCase well;
+    well.survey = {{0, 0, 0}, {2, 0, 0}, {2 + bend, 90 * degree, 0}, {5 + bend, 90 * degree, 0}};
+    well.sections = {{5 + bend, 0.142}};
+    input.well = well;
+    Component string;
+    string.length = 36;
+    string.outer_diameter = 0.14;
+    string.linear_density = 1;
+    string.bending_stiffness = 10;
+    string.torsional_stiffness = 1e4;
+    string.axial_stiffness = 1e6;
+    string.shear_stiffness = 1e6;
+    string.inertia = 0.01;
+    input.string.components = {string};
+    input.mesh.segments = 72;
+    input.mesh.segment_inertia = true;
+    input.contact.normal_stiffness = 1e6;
+    input.contact.normal_damping = 1e3;
+    input.contact.static_friction = input.contact.dynamic_friction = {friction, friction};
+    input.bit.direction = BitDirection::well;
+    input.bit.weight = ScalarSchedule({0, 1.5}, {0, -2e3});  // a pull
+    input.run.duration = 1.5;
+    input.run.threads = 1;
+    input.output.interval = 0.01;
+    const test::Run result = run(input);
+    // the mean of the last half second, over the waves that run along the string
+    double bottom = 0;
+    double top = 0;
+    for (std::size_t i = 100; i < result.series.size(); ++i) {
+        bottom += result.series[i].bit_stress[3];
+        top += result.series[i].head_stress[3];
+    }
+    return bottom / top;
+}
+
+TEST(Friction, PullAroundABendFollowsTheCapstan) {
+    EXPECT_NEAR(capstan_ratio(0), 1, 0.002);
+    EXPECT_NEAR(capstan_ratio(0.2), 1.369107770624847, 0.01 * 1.369);
+    EXPECT_NEAR(capstan_ratio(0.6), 2.566332395208135, 0.02 * 2.566);
+}
+
+}  // namespace
+}  // namespace drillstrand::test

@@ -1,0 +1,71 @@
+#include "validation/contact_pipe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace drillstrand::test {
+
+using Eigen::Vector3d;
+
+Vector3d down_the_well(double inclination) {
+    return {std::sin(inclination), 0, std::cos(inclination)};
+}
+
+Vector3d low_side(double inclination) {
+    return {-std::cos(inclination), 0, std::sin(inclination)};
+}
+
+Case short_pipe(double inclination) {
+    Case input;
+    input.gravity = 9.81;
+    WellCase well;
+    well.survey = {{0, inclination, 0}, {1000, inclination, 0}};
+    well.sections = {{1000, 2 * hole_radius}};
+    input.well = well;
+    Component pipe;
+    pipe.length = pipe_length;
+    pipe.outer_diameter = 2 * pipe_radius;
+    pipe.inner_diameter = 0.12;
+    pipe.linear_density = pipe_mass;
+    pipe.youngs_modulus = 200e9;
+    pipe.poisson_ratio = 0;
+    input.string.components = {pipe};
+    input.mesh.segments = 1;
+    input.mesh.segment_inertia = true;
+    input.head.motion = HeadMotion::free;
+    input.run.duration = 1;
+    input.run.threads = 1;
+    input.output.interval = 1;
+    return input;
+}
+
+void lay_down(Case& input, double inclination) {
+    const double press = pipe_mass * input.gravity * std::sin(inclination);
+    input.initial.offset =
+        (clearance + press / input.contact.normal_stiffness) * low_side(inclination);
+}
+
+void load(Case& input, double end, double step, const std::function<Vector3d(double)>& force,
+          const std::function<Vector3d(double)>& couple) {
+    std::vector<double> times;
+    std::vector<Vector3d> forces;
+    std::vector<Vector3d> couples;
+    const int count = static_cast<int>(std::lround(end / step));
+    for (int i = 0; i <= count; ++i) {
+        times.push_back(i * step);
+        forces.emplace_back(pipe_length / 2 * force(times.back()));
+        couples.emplace_back(pipe_length / 2 * couple(times.back()));
+    }
+    input.head.force = input.bit.force = VectorSchedule(times, forces);
+    input.head.moment = input.bit.dead_moment = VectorSchedule(times, couples);
+}
+
+double smooth_step(double time, double begin, double end) {
+    const double part = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
+    return 0.5 * (1 - std::cos(std::numbers::pi * part));
+}
+
+}  // namespace drillstrand::test

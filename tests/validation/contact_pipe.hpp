@@ -1,0 +1,40 @@
+/// A short pipe in a straight hole: what the validation of contact, friction and drag shares.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+#include "support/run_case.hpp"
+
+namespace drillstrand::test {
+
+/// The pipe of the paper's table 3 in its hole: 0.14 m by 0.12 m, 31.8557 kg/m, 0.22 m.
+inline constexpr double pipe_mass = 31.8557;  // kg/m
+inline constexpr double pipe_radius = 0.07;   // m
+inline constexpr double hole_radius = 0.11;   // m
+inline constexpr double clearance = hole_radius - pipe_radius;
+inline constexpr double pipe_length = 10;  // m
+inline constexpr double spin_inertia =     // rho Ip (kg m): m (D^2 + d^2) / 8
+    pipe_mass * (0.14 * 0.14 + 0.12 * 0.12) / 8;
+
+/// Down a straight well of the given inclination (rad) and azimuth north, and toward its low side.
+Eigen::Vector3d down_the_well(double inclination);
+Eigen::Vector3d low_side(double inclination);
+
+/// Ten metres of that pipe, one segment, both ends free, at rest on the axis of the well. One
+/// segment under equal loads at both ends moves as a rigid body. No fluid; g = 9.81 m/s2.
+Case short_pipe(double inclination);
+
+/// Lays the pipe on the low side of the well, in the wall as deep as its weight presses it.
+void lay_down(Case& input, double inclination);
+
+/// Dead load (N/m) and couple (N) per length as functions of time, sampled every `step` (s) up to
+/// `end`, half of them at each end.
+void load(Case& input, double end, double step, const std::function<Eigen::Vector3d(double)>& force,
+          const std::function<Eigen::Vector3d(double)>& couple);
+
+/// From 0 to 1 without corners between two times.
+double smooth_step(double time, double begin, double end);
+
+}  // namespace drillstrand::test
