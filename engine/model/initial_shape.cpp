@@ -79,36 +79,75 @@ Vector6 strain_between(const Pose& pose, const Eigen::Vector3d& director,
     return strain;
 }
 
-/// Strains of a string whose nodes lie on the axis of the well, neither stretched nor twisted.
-/// Where the well's curvature changes within a segment, a little shear remains, as in a rod that is
-/// held at its nodes. The spacing of the nodes along the well is adjusted until no segment is
-/// stretched.
-std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, const Pose& head) {
-    constexpr int rounds = 20;
-    constexpr double negligible_stretch = 1e-13;
-    const std::size_t segments = mesh.length.size();
-    std::vector<double> spacing = mesh.length;
-    std::vector<Vector6> strains(segments);
-    for (int round = 0; round < rounds; ++round) {
-        std::vector<Eigen::Vector3d> position = {head.position};
-        double depth = well.measured_depth_start();
-        for (const double step : spacing) {
-            depth += step;
-            position.push_back(well.at(depth).axis);
-        }
-        const std::vector<Eigen::Vector3d> director =
-            relaxed_directors(mesh, position, head.frame.col(0));
-        Pose pose = head;
-        double stretch = 0;
-        for (std::size_t k = 0; k < segments; ++k) {
-            const double h = mesh.length[k];
-            strains[k] = strain_between(pose, director[k + 1], position[k + 1], h);
-            stretch = std::max(stretch, std::abs(strains[k][3] - 1));
-            spacing[k] *= 1 + (1 - strains[k][3]);
-            pose = poses_from_strains(pose, {h}, {strains[k]}).back();
-        }
-        if (stretch < negligible_stretch) break;
+/// Positions and directors of nodes on the axis of the well, `spacing` (m) apart along it.
+InitialNodes nodes_on_axis(const Well& well, const StringMesh& mesh, const Pose& head,
+                           const std::vector<double>& spacing) {
+    InitialNodes nodes;
+    nodes.position = {head.position};
+    double depth = well.measured_depth_start();
+    for (const double step : spacing) {
+        depth += step;
+        nodes.position.push_back(well.at(depth).axis);
     }
+    nodes.director = relaxed_directors(mesh, nodes.position, head.frame.col(0));
+    nodes.twist.assign(spacing.size(), 0.0);
+    return nodes;
+}
+
+/// Stretch g3 of the arcs through given nodes: strains of the segments, from the head on.
+std::vector<Vector6> strains_between(const InitialNodes& nodes, const StringMesh& mesh,
+                                     const Pose& head) {
+    std::vector<Vector6> strains;
+    Pose pose = head;
+    for (std::size_t k = 0; k < mesh.length.size(); ++k) {
+        const double h = mesh.length[k];
+        strains.push_back(strain_between(pose, nodes.director[k + 1], nodes.position[k + 1], h));
+        pose = poses_from_strains(pose, {h}, {strains.back()}).back();
+    }
+    return strains;
+}
+
+/// Stretch of the chords, along the mean of the two directors.
+std::vector<double> chord_stretches(const InitialNodes& nodes, const StringMesh& mesh) {
+    std::vector<double> stretch;
+    for (std::size_t k = 0; k < mesh.length.size(); ++k) {
+        const Eigen::Vector3d chord = (nodes.position[k + 1] - nodes.position[k]) / mesh.length[k];
+        stretch.push_back(chord.dot((nodes.director[k] + nodes.director[k + 1]).normalized()));
+    }
+    return stretch;
+}
+
+/// Adjusts the spacing of nodes along a well until `stretches` are all 1: a string that is neither
+/// stretched nor twisted with its nodes on the axis. Where the well's curvature changes within a
+/// segment, a little shear remains, as in a rod that is held at its nodes.
+template <class Stretches>
+InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const Pose& head,
+                               const Stretches& stretches) {
+    constexpr int rounds = 20;
+    constexpr double negligible = 1e-13;
+    std::vector<double> spacing = mesh.length;
+    InitialNodes nodes = nodes_on_axis(well, mesh, head, spacing);
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<double> stretch = stretches(nodes);
+        double worst = 0;
+        for (std::size_t k = 0; k < spacing.size(); ++k) {
+            worst = std::max(worst, std::abs(stretch[k] - 1));
+            spacing[k] *= 2 - stretch[k];
+        }
+        if (worst < negligible) break;
+        nodes = nodes_on_axis(well, mesh, head, spacing);
+    }
+    return nodes;
+}
+
+std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, const Pose& head) {
+    const InitialNodes nodes = unstretched_nodes(well, mesh, head, [&](const InitialNodes& trial) {
+        std::vector<double> stretch;
+        for (const Vector6& strain : strains_between(trial, mesh, head))
+            stretch.push_back(strain[3]);
+        return stretch;
+    });
+    std::vector<Vector6> strains = strains_between(nodes, mesh, head);
     for (Vector6& strain : strains)
         strain[3] = 1;
     return strains;
@@ -126,16 +165,40 @@ std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state
     return strains;
 }
 
+bool lies_along_well(const Scene& scene, const InitialCase& initial) {
+    return scene.well && initial.state == InitialState::coaxial;
+}
+
 }  // namespace
 
 std::vector<Vector6> initial_strains(const Scene& scene, const InitialCase& initial) {
-    const bool along_well = scene.well && initial.state == InitialState::coaxial;
     std::vector<Vector6> strains =
-        along_well ? strains_along(*scene.well, scene.mesh, {scene.head_frame, scene.head_position})
-                   : strains_without_well(scene, initial.state);
+        lies_along_well(scene, initial)
+            ? strains_along(*scene.well, scene.mesh, {scene.head_frame, scene.head_position})
+            : strains_without_well(scene, initial.state);
     for (Vector6& strain : strains)
         strain.head<3>() += initial.curvature;
     return strains;
+}
+
+InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial) {
+    const Pose head = {scene.head_frame, scene.head_position};
+    if (lies_along_well(scene, initial) && initial.curvature.isZero(0)) {
+        return unstretched_nodes(*scene.well, scene.mesh, head, [&](const InitialNodes& trial) {
+            return chord_stretches(trial, scene.mesh);
+        });
+    }
+    // directors of the arcs, joined by chords along their means
+    InitialNodes nodes;
+    nodes.position = {head.position};
+    for (const Pose& pose : poses_from_strains(head, scene.mesh.length, scene.initial_strain))
+        nodes.director.emplace_back(pose.frame.col(0));
+    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
+        const Eigen::Vector3d mean = (nodes.director[k] + nodes.director[k + 1]).normalized();
+        nodes.position.push_back(nodes.position[k] + scene.mesh.length[k] * mean);
+        nodes.twist.push_back(scene.initial_strain[k][0]);
+    }
+    return nodes;
 }
 
 }  // namespace drillstrand

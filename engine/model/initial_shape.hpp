@@ -12,4 +12,7 @@ namespace drillstrand {
 /// the string's own shape. The uniform strain of `initial` is added.
 std::vector<Vector6> initial_strains(const Scene& scene, const InitialCase& initial);
 
+/// The same shape as nodes and directors, from the scene's initial strains too.
+InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial);
+
 }  // namespace drillstrand

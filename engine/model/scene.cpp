@@ -109,7 +109,10 @@ Scene build_scene(const Case& input) {
     scene.head_position = input.head.position.value_or(mouth.axis);
     scene.head_frame = frame_along(input.head.direction.value_or(mouth.direction).normalized());
     scene.initial_strain = initial_strains(scene, input.initial);
+    scene.initial_nodes = initial_nodes(scene, input.initial);
     scene.head_position += input.initial.offset;
+    for (Eigen::Vector3d& position : scene.initial_nodes.position)
+        position += input.initial.offset;
     return scene;
 }
 

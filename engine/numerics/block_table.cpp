@@ -5,11 +5,23 @@
 namespace drillstrand {
 
 BlockTable::BlockTable(std::size_t rows, std::size_t count)
-    : rows_(rows), blocks_(blocks_for(count)) {
-    const std::size_t size = rows_ * stride();
-    storage_.reset(static_cast<double*>(
+    : rows_(rows), blocks_(blocks_for(count)), storage_(allocate(rows_ * stride())) {
+    std::fill_n(storage_.get(), rows_ * stride(), 0.0);
+}
+
+BlockTable::BlockTable(const BlockTable& other)
+    : rows_(other.rows_), blocks_(other.blocks_), storage_(allocate(rows_ * stride())) {
+    std::copy_n(other.storage_.get(), rows_ * stride(), storage_.get());
+}
+
+BlockTable& BlockTable::operator=(const BlockTable& other) {
+    if (this != &other) *this = BlockTable(other);
+    return *this;
+}
+
+BlockTable::Storage BlockTable::allocate(std::size_t size) {
+    return Storage(static_cast<double*>(
         ::operator new[](size * sizeof(double), std::align_val_t{block_alignment})));
-    std::fill_n(storage_.get(), size, 0.0);
 }
 
 void BlockTable::fill(std::size_t i, double value) {

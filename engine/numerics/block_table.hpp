@@ -29,6 +29,12 @@ class BlockTable {
     /// `rows` rows that hold `count` entries (rounded up to whole blocks), all of them zero.
     BlockTable(std::size_t rows, std::size_t count);
 
+    BlockTable(const BlockTable& other);
+    BlockTable& operator=(const BlockTable& other);
+    BlockTable(BlockTable&&) noexcept = default;
+    BlockTable& operator=(BlockTable&&) noexcept = default;
+    ~BlockTable() = default;
+
     [[nodiscard]] std::size_t rows() const { return rows_; }
     [[nodiscard]] std::size_t blocks() const { return blocks_; }
 
@@ -47,13 +53,16 @@ class BlockTable {
             ::operator delete[](p, std::align_val_t{block_alignment});
         }
     };
+    using Storage = std::unique_ptr<double[], Free>;
+    static Storage allocate(std::size_t size);
+
     [[nodiscard]] std::size_t stride() const {
         return (blocks_ + 2) * block_size + block_alignment / sizeof(double);
     }
 
     std::size_t rows_ = 0;
     std::size_t blocks_ = 0;
-    std::unique_ptr<double[], Free> storage_;
+    Storage storage_;
 };
 
 }  // namespace drillstrand

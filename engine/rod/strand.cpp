@@ -6,6 +6,7 @@
 #include "forces/contact.hpp"
 #include "forces/fluid.hpp"
 #include "forces/well_frame.hpp"
+#include "rod/rows.hpp"
 
 namespace drillstrand {
 
@@ -62,27 +63,6 @@ namespace {
 
 using Constants = StrandConstants;
 using Work = StrandWorkspace;
-
-/// The three rows of a vector quantity, at the first entry of a block.
-struct Rows {
-    double *x, *y, *z;
-    DRILLSTRAND_INLINE void set(std::size_t k, Triple v) const {
-        x[k] = v.x;
-        y[k] = v.y;
-        z[k] = v.z;
-    }
-};
-struct ConstRows {
-    const double *x, *y, *z;
-    DRILLSTRAND_INLINE Triple operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
-};
-
-Rows rows_at(BlockTable& table, std::size_t row, std::ptrdiff_t entry) {
-    return {table.row(row) + entry, table.row(row + 1) + entry, table.row(row + 2) + entry};
-}
-ConstRows rows_at(const BlockTable& table, std::size_t row, std::ptrdiff_t entry) {
-    return {table.row(row) + entry, table.row(row + 1) + entry, table.row(row + 2) + entry};
-}
 
 /// Segments of one block: everything that vectorises.
 DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockTable& state,

@@ -5,6 +5,7 @@
 
 #include "drillstrand/simulation.hpp"
 #include "integrators/dormand_prince.hpp"
+#include "integrators/leapfrog.hpp"
 #include "numerics/block_table.hpp"
 
 namespace drillstrand {
@@ -19,9 +20,9 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Integrator
             return std::make_unique<DormandPrince>(
                 scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads);
         case IntegratorKind::leapfrog:
-            break;
+            return std::make_unique<Leapfrog>(scene, options.cfl, threads);
     }
-    throw std::invalid_argument("make_integrator: this integrator is not available");
+    throw std::invalid_argument("make_integrator: no such integrator");
 }
 
 }  // namespace drillstrand

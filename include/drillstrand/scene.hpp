@@ -22,6 +22,14 @@ struct SceneFeatures {
     bool damping = false;  ///< the paper's D_in or D_ex
 };
 
+/// Nodes of a string whose chords are as long as its segments and lie along the mean of the two
+/// directors: neither stretched nor, but for a little in a well, sheared.
+struct InitialNodes {
+    std::vector<Eigen::Vector3d> position;  ///< N+1 (m)
+    std::vector<Eigen::Vector3d> director;  ///< N+1, d3
+    std::vector<double> twist;              ///< N (1/m)
+};
+
 struct Scene {
     int segments = 0;  ///< N
     StringMesh mesh;
@@ -42,6 +50,8 @@ struct Scene {
     Eigen::Matrix3d head_frame = Eigen::Matrix3d::Identity();
     /// N, initial strains (k3, k1, k2, g3, g1, g2); the string starts at rest.
     std::vector<Vector6> initial_strain;
+    /// The same shape as nodes joined by chords, for integrators whose segments are not arcs.
+    InitialNodes initial_nodes;
 };
 
 /// Builds the scene of a case. Throws InputError where string, well and mesh do not go together.

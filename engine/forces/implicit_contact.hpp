@@ -1,0 +1,140 @@
+/// Contact, friction and drag of one node over a step, implicit and in closed form: stable for any
+/// stiffness, damping and viscosity. Derivation: engine/forces/README.md, "Implicit step".
+///
+/// Everything is per unit length and in the node's well frame. `dt` is the time over which forces
+/// act on velocities. A star marks velocities after all other forces have acted.
+#pragma once
+
+#include <cmath>
+
+#include "forces/contact.hpp"
+#include "forces/fluid.hpp"
+#include "numerics/kernel.hpp"
+
+namespace drillstrand {
+
+/// Velocity of a node along (r, l, t), and its spin about l.
+struct WellVelocity {
+    double r, l, t;  ///< m/s
+    double spin;     ///< rad/s
+};
+
+/// What a force does to a velocity over the step.
+struct Mobility {
+    double translation;  ///< dt / m
+    double rotation;     ///< dt / (rho Ip)
+};
+
+/// Normal force at the end of the step: k (dr - dt v_r) - eta v_r with v_r = v_r* + dt f / m.
+DRILLSTRAND_INLINE double implicit_normal_force(double penetration, double velocity_r,
+                                                double stiffness, double damping, double least,
+                                                double dt, const Mobility& mobility) {
+    const double resistance = damping + dt * stiffness;
+    const double force = (stiffness * penetration - resistance * velocity_r) /
+                         (1.0 + mobility.translation * resistance);
+    const double bounded = force > least ? force : least;
+    return penetration > 0.0 ? bounded : 0.0;
+}
+
+/// A friction spring and the force with which it acts on the pipe, at the end of the step.
+struct FrictionStep {
+    FrictionSpring spring;
+    Tangential force;
+};
+
+/// Force of the spring on Coulomb's cone while the point slides: the F on the ellipse
+/// |F / mu| = f_n with F_i (a_i + lambda) = b_i, where b is the elongation that no force would
+/// leave and a_i = dt M_i + 1 / k what a unit of force takes from it; lambda F is the slip.
+/// Newton's method on 1 / |F / mu|, which is almost linear in lambda; then exactly onto the cone.
+DRILLSTRAND_INLINE Tangential return_to_cone(const Tangential& b, const Tangential& a,
+                                             const Tangential& coefficient, double normal) {
+    constexpr double tiny = 1e-30;
+    const double limit = normal > tiny ? normal : tiny;
+    const double w_l = coefficient.axial > 0.0 ? b.axial / coefficient.axial : 0.0;
+    const double w_t = coefficient.azimuthal > 0.0 ? b.azimuthal / coefficient.azimuthal : 0.0;
+    const double most = a.axial > a.azimuthal ? a.axial : a.azimuthal;
+    const double start = std::sqrt(w_l * w_l + w_t * w_t) / limit - most;
+    double lambda = start > 0.0 ? start : 0.0;
+    double length = 0.0;
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i) {
+        const double i_l = 1.0 / (a.axial + lambda);
+        const double i_t = 1.0 / (a.azimuthal + lambda);
+        const double s_l = w_l * i_l * w_l * i_l;
+        const double s_t = w_t * i_t * w_t * i_t;
+        length = std::sqrt(s_l + s_t);
+        const double safe = length > tiny ? length : tiny;
+        const double slope = (s_l * i_l + s_t * i_t) / (safe * safe * safe);
+        const double correction = (1.0 / limit - 1.0 / safe) / (slope > tiny ? slope : tiny);
+        lambda = lambda + correction > 0.0 ? lambda + correction : 0.0;
+    }
+    const double f_l = w_l / (a.axial + lambda);
+    const double f_t = w_t / (a.azimuthal + lambda);
+    const double reached = std::sqrt(f_l * f_l + f_t * f_t);
+    const double onto = (normal > 0.0 ? normal : 0.0) / (reached > tiny ? reached : tiny);
+    return {f_l * coefficient.axial * onto, f_t * coefficient.azimuthal * onto};
+}
+
+/// Coulomb's law: trial with a sticking spring, then return to the cone. The mobility around the
+/// well joins translation and spin, since both move the surface point.
+DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const WellVelocity& v,
+                                             double normal, double penetration, double radius,
+                                             double dt, const Mobility& mobility,
+                                             const FrictionParameters& p) {
+    const double compliance = 1.0 / p.stiffness;
+    const Tangential a = {
+        dt * mobility.translation + compliance,
+        dt * (mobility.translation + radius * radius * mobility.rotation) + compliance};
+    const Tangential b = {spring.elongation.axial + dt * v.l,
+                          spring.elongation.azimuthal + dt * (v.t + radius * v.spin)};
+    const bool slid = spring.sliding > 0.5;
+    const Tangential limit = {slid ? p.slide.axial : p.fixed.axial,
+                              slid ? p.slide.azimuthal : p.fixed.azimuthal};
+    const Tangential stick =
+        scaled_where_rough({b.axial / a.axial, b.azimuthal / a.azimuthal}, p.slide, 1.0);
+    const bool slides = cone_ratio(stick, limit, normal) > 1.0;
+    const Tangential slip = return_to_cone(b, a, p.slide, normal);
+    const bool touches = penetration > 0.0;
+    const double f_l = touches ? (slides ? slip.axial : stick.axial) : 0.0;
+    const double f_t = touches ? (slides ? slip.azimuthal : stick.azimuthal) : 0.0;
+    return {{{compliance * f_l, compliance * f_t}, touches && slides ? 1.0 : 0.0}, {-f_l, -f_t}};
+}
+
+/// The paper's two springs, implicit: the axial one sees v_l, the azimuthal one R times the spin
+/// alone; past mu_s k_el dr a spring holds mu_d k_el dr.
+DRILLSTRAND_INLINE FrictionStep paper_step(const FrictionSpring& spring, const WellVelocity& v,
+                                           double elastic_normal, double penetration, double radius,
+                                           double dt, const Mobility& mobility,
+                                           const FrictionParameters& p) {
+    const double compliance = 1.0 / p.stiffness;
+    const double stick_l =
+        (spring.elongation.axial + dt * v.l) / (dt * mobility.translation + compliance);
+    const double stick_t = (spring.elongation.azimuthal + dt * radius * v.spin) /
+                           (dt * radius * radius * mobility.rotation + compliance);
+    const double slip_l = std::copysign(p.slide.axial * elastic_normal, stick_l);
+    const double slip_t = std::copysign(p.slide.azimuthal * elastic_normal, stick_t);
+    const bool touches = penetration > 0.0;
+    const bool slides_l = std::abs(stick_l) > p.fixed.axial * elastic_normal;
+    const bool slides_t = std::abs(stick_t) > p.fixed.azimuthal * elastic_normal;
+    const double f_l = touches ? (slides_l ? slip_l : stick_l) : 0.0;
+    const double f_t = touches ? (slides_t ? slip_t : stick_t) : 0.0;
+    return {{{compliance * f_l, compliance * f_t}, 0.0}, {-f_l, -f_t}};
+}
+
+/// Velocities after the drag of the annular fluid has acted for the whole step at its end value:
+/// scalar divisions for v_r and v_l, a symmetric positive definite 2 x 2 solve for (v_t, spin).
+DRILLSTRAND_INLINE WellVelocity implicit_drag(const WellVelocity& v, const DragCoefficients& drag,
+                                              double axial, double viscosity,
+                                              const Mobility& mobility) {
+    const double a = viscosity * mobility.translation;
+    const double b = viscosity * mobility.rotation;
+    const double m11 = 1.0 + a * drag.around;
+    const double m12 = a * drag.cross;
+    const double m21 = b * drag.cross;
+    const double m22 = 1.0 + b * drag.spin;
+    const double inverse = 1.0 / (m11 * m22 - m12 * m21);
+    return {v.r / (1.0 + a * drag.radial), v.l / (1.0 + a * axial),
+            inverse * (m22 * v.t - m12 * v.spin), inverse * (m11 * v.spin - m21 * v.t)};
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,460 @@
+#include "integrators/leapfrog.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drillstrand/error.hpp"
+#include "forces/bit.hpp"
+#include "forces/well_frame.hpp"
+#include "rod/strand.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+Eigen::Vector3d read(const BlockTable& table, std::size_t row, std::size_t k) {
+    return {table.row(row)[k], table.row(row + 1)[k], table.row(row + 2)[k]};
+}
+
+void write(BlockTable& table, std::size_t row, std::ptrdiff_t k, const Eigen::Vector3d& v) {
+    for (std::size_t i = 0; i < 3; ++i)
+        table.row(row + i)[k] = v[static_cast<Eigen::Index>(i)];
+}
+
+/// Force and couple of the outside on an end of the rod, as the segment beyond it would exert them.
+void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vector3d& pull,
+                    const Eigen::Vector3d& couple, const Eigen::Vector3d& director) {
+    write(segments, SegmentRow::pull, ghost, pull);
+    write(segments, SegmentRow::couple, ghost, couple);
+    segments.row(SegmentRow::torque)[ghost] = couple.dot(director);
+    for (const std::size_t row : {SegmentRow::lean, SegmentRow::drag_force, SegmentRow::drag_couple,
+                                  SegmentRow::first_couple, SegmentRow::last_couple})
+        write(segments, row, ghost, Eigen::Vector3d::Zero());
+}
+
+/// The shortest turn from one unit vector to another, applied to v.
+Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
+                        const Eigen::Vector3d& to) {
+    return v - (v.dot(to) / (1 + from.dot(to))) * (from + to);
+}
+
+}  // namespace
+
+double leapfrog_step_bound(const Scene& scene) {
+    const StringMesh& mesh = scene.mesh;
+    const std::size_t segments = mesh.length.size();
+    double bound = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k <= segments; ++k) {
+        // stiffest and shortest of the node's segments
+        double axial = 0;
+        double shear = 0;
+        double bending = 0;
+        double torsion = 0;
+        for (std::size_t j = k == 0 ? 0 : k - 1; j < std::min(k + 1, segments); ++j) {
+            const SectionProperties& s = mesh.segment[j];
+            const double h2 = mesh.length[j] * mesh.length[j];
+            axial = std::max(axial, s.axial_stiffness / h2);
+            shear = std::max(shear, s.shear_stiffness / h2);
+            bending = std::max(bending, s.bending_stiffness / h2);
+            torsion = std::max(torsion, s.torsional_stiffness / h2);
+        }
+        const double h2 = std::pow(mesh.length[std::min(k, segments - 1)], 2);
+        const double mass = mesh.node[k].mass;
+        const double inertia = scene.inertia[k];
+        const double omega2 = std::max({4 * axial / mass,                          // axial waves
+                                        4 * torsion / mesh.node[k].polar_inertia,  // torsion
+                                        shear * h2 / inertia,  // shear, rotation
+                                        4 * shear / mass + 4 * bending / inertia});  // zigzags
+        // Kelvin-Voigt damping acts with the velocities of the last half step
+        const double omega = std::sqrt(omega2);
+        const double ratio = 0.5 * scene.damping.kelvin_voigt * omega;
+        bound = std::min(bound, 2 / omega * (std::sqrt(1 + ratio * ratio) - ratio));
+    }
+    return bound;
+}
+
+Leapfrog::Leapfrog(const Scene& scene, double cfl, int threads)
+    : scene_(scene),
+      model_(scene),
+      surroundings_(scene, scene.initial_nodes.position),
+      bound_(cfl * leapfrog_step_bound(scene)),
+      blocks_(blocks_for(model_.segments + 1)),
+      barrier_(1) {
+    const std::size_t nodes = model_.segments + 1;
+    for (BlockTable& state : states_) {
+        state = BlockTable(director_rows, nodes);
+        // padding: directors that differ from none
+        state.fill(director, 1.0);
+        state.fill(last_director, 1.0);
+    }
+    BlockTable& state = states_[0];
+    const InitialNodes& initial = scene.initial_nodes;
+    for (std::size_t k = 0; k < nodes; ++k) {
+        const auto entry = static_cast<std::ptrdiff_t>(k);
+        write(state, position, entry, initial.position[k]);
+        write(state, director, entry, initial.director[k]);
+        write(state, last_director, entry, initial.director[k]);
+    }
+    head_frame_.d1 = scene.head_frame.col(1);
+    state.row(spin)[0] = scene.head.motion == HeadMotion::driven ? scene.head.rotation(0.0) : 0.0;
+
+    workers_.resize(static_cast<std::size_t>(threads));
+    for (Worker& worker : workers_) {
+        worker.segments = BlockTable(SegmentRow::rows, nodes);
+        std::copy(initial.twist.begin(), initial.twist.end(),
+                  worker.segments.row(SegmentRow::twist));
+    }
+    const std::vector<Eigen::Matrix3d> frame = material_frames(state, workers_[0].segments);
+    for (std::size_t k = 0; k < nodes; ++k)
+        write(state, material, static_cast<std::ptrdiff_t>(k), frame[k].col(1));
+    bit_frame_.d1 = frame.back().col(1);
+    finish_bit(workers_[0].segments, state, state, {});
+
+    statistics_.smallest_step = std::numeric_limits<double>::infinity();
+    if (scene.head.motion == HeadMotion::driven)
+        initial_head_energy_ = node_kinetic_energy(state, 0);
+    initial_potential_ = potential_energy(state);
+    for (std::size_t k = 0; k < nodes; ++k) {
+        initial_spring_energy_ +=
+            scene.mesh.cell[k] * surroundings_.contact(k, initial.position[k]).spring_energy;
+    }
+}
+
+void Leapfrog::advance(double end, std::int64_t max_steps) {
+    if (end <= time_) return;
+    // equal steps that meet the end exactly
+    const double wanted = std::ceil((end - time_) / bound_ * (1 - 1e-12));
+    const auto needed = static_cast<std::int64_t>(std::max(wanted, 1.0));
+    const std::int64_t steps = std::min(needed, max_steps);
+    const double dt = (end - time_) / static_cast<double>(needed);
+#pragma omp parallel num_threads(static_cast <int>(workers_.size()))
+    {
+        // the team may be smaller than asked for
+        const int threads = omp_get_num_threads();
+#pragma omp single
+        barrier_.set_threads(threads);
+        run(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(threads), dt,
+            steps);
+    }
+    if (fault_) throw SimulationError(describe_fault());
+    // twist is state: every worker gets all of it
+    double* whole = workers_.front().segments.row(SegmentRow::twist);
+    for (const Worker& worker : workers_) {
+        const double* own = worker.segments.row(SegmentRow::twist);
+        std::copy(own + worker.begin * block_size, own + worker.end * block_size,
+                  whole + worker.begin * block_size);
+    }
+    for (Worker& worker : workers_) {
+        double* own = worker.segments.row(SegmentRow::twist);
+        if (own != whole) std::copy(whole, whole + blocks_ * block_size, own);
+    }
+    current_ = (current_ + static_cast<std::size_t>(steps)) % 2;
+    time_ = steps == needed ? end : time_ + static_cast<double>(steps) * dt;
+    last_drift_ = dt;
+    statistics_.steps += steps;
+    statistics_.evaluations += steps;
+    statistics_.smallest_step = std::min(statistics_.smallest_step, dt);
+    statistics_.largest_step = std::max(statistics_.largest_step, dt);
+}
+
+/// The time loop: one barrier a step.
+void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps) {
+    Worker& worker = workers_[thread];
+    worker.begin = blocks_ * thread / threads;
+    worker.end = blocks_ * (thread + 1) / threads;
+    barrier_.wait();
+    std::size_t current = current_;
+    Step step{time_, last_drift_, dt, 0.5 * (last_drift_ + dt)};
+    for (std::int64_t i = 0; i < steps; ++i) {
+        step_blocks(worker, surroundings_, states_[current], states_[1 - current], step);
+        barrier_.wait();
+        if (fault_.load(std::memory_order_relaxed)) break;
+        current = 1 - current;
+        step.time = time_ + static_cast<double>(i + 1) * dt;
+        step.last_drift = dt;
+        step.kick = dt;
+    }
+    barrier_.wait();
+}
+
+/// One step of a worker's blocks: forces at the whole step, velocities and poses to the next.
+void Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+                           BlockTable& next, const Step& step) {
+    BlockTable& segments = worker.segments;
+    if (worker.begin > 0)
+        director_segments(model_, state, segments, worker.begin - 1, step.last_drift);
+    if (worker.begin == 0) load_head(segments, state, step.time);
+    for (std::size_t block = worker.begin; block < worker.end; ++block) {
+        director_segments(model_, state, segments, block, step.last_drift);
+        if (block + 1 == blocks_) load_bit(segments, state, step.time);
+        const NodeStep done = director_nodes(model_, state, next, segments, surroundings, block,
+                                             step.kick, step.drift);
+        worker.outflow += done.outflow;
+        worker.impacts += done.impacts;
+        worker.slips += done.slips;
+        if (done.leavers > 0) {
+            surroundings.refresh_arcs(
+                block, [&](std::size_t node) { return read(state, position, node); });
+        }
+        if (done.faults > 0) fault_.store(true, std::memory_order_relaxed);
+    }
+    if (worker.begin == 0) finish_head(segments, state, next, step);
+    if (worker.end == blocks_ && worker.begin < blocks_) finish_bit(segments, state, next, step);
+}
+
+/// What acts on a free head.
+void Leapfrog::load_head(BlockTable& segments, const BlockTable& state, double time) const {
+    if (scene_.head.motion == HeadMotion::driven) return;
+    write_end_load(segments, -1, -scene_.head.force(time), -scene_.head.moment(time),
+                   read(state, director, 0));
+}
+
+/// What acts on the bit: its stress in body axes, turned into space.
+void Leapfrog::load_bit(BlockTable& segments, const BlockTable& state, double time) const {
+    const std::size_t node = model_.segments;
+    const Eigen::Vector3d t = read(state, director, node);
+    BitMotion motion;
+    motion.frame << t, bit_frame_.d1, t.cross(bit_frame_.d1);
+    motion.well_direction = surroundings_.empty()
+                                ? t
+                                : vector(well_frame(triple(read(state, position, node)),
+                                                    surroundings_.arc_numbers(node))
+                                             .l);
+    motion.rotation_rate = scene_.head.motion == HeadMotion::driven ? scene_.head.rotation(time)
+                                                                    : state.row(spin)[node];
+    motion.radius = scene_.mesh.node.back().outer_radius;
+    const Vector6 stress = bit_stress(scene_.bit, motion, time);
+    write_end_load(segments, static_cast<std::ptrdiff_t>(node), motion.frame * stress.tail<3>(),
+                   motion.frame * stress.head<3>(), t);
+}
+
+/// A driven head keeps its place and turns as scheduled; the work of what turns it.
+void Leapfrog::finish_head(const BlockTable& segments, const BlockTable& state, BlockTable& next,
+                           const Step& step) {
+    const Eigen::Vector3d t = read(state, director, 0);
+    const auto mean = [&](std::size_t row) {
+        return Eigen::Vector3d(0.5 * (read(state, row, 0) + read(next, row, 0)));
+    };
+    if (scene_.head.motion == HeadMotion::free) {
+        const Eigen::Vector3d turning = mean(angular_velocity);
+        head_work_ += step.kick * (scene_.head.force(step.time).dot(mean(velocity)) +
+                                   scene_.head.moment(step.time).dot(turning) +
+                                   scene_.head.moment(step.time).dot(t) * 0.5 *
+                                       (state.row(spin)[0] + next.row(spin)[0]));
+        head_frame_.follow(t, read(next, director, 0), step.drift * next.row(spin)[0]);
+        return;
+    }
+    const double rate = step.drift > 0 ? (scene_.head.rotation.integral(step.time + step.drift) -
+                                          scene_.head.rotation.integral(step.time)) /
+                                             step.drift
+                                       : scene_.head.rotation(step.time);
+    write(next, position, 0, read(state, position, 0));
+    write(next, velocity, 0, Eigen::Vector3d::Zero());
+    write(next, director, 0, t);
+    write(next, angular_velocity, 0, Eigen::Vector3d::Zero());
+    write(next, material, 0, head_d1(step.time + step.drift));
+    next.row(spin)[0] = rate;
+    head_work_ -=
+        step.kick * segments.row(SegmentRow::torque)[0] * 0.5 * (state.row(spin)[0] + rate);
+}
+
+/// The work at the bit, its frame, and the padding node beyond it, which goes along so that the
+/// ghost segment stays without strain.
+void Leapfrog::finish_bit(const BlockTable& segments, const BlockTable& state, BlockTable& next,
+                          const Step& step) {
+    const std::size_t node = model_.segments;
+    const auto mean = [&](std::size_t row) {
+        return Eigen::Vector3d(0.5 * (read(state, row, node) + read(next, row, node)));
+    };
+    bit_work_ += step.kick * (read(segments, SegmentRow::pull, node).dot(mean(velocity)) +
+                              read(segments, SegmentRow::couple, node).dot(mean(angular_velocity)) +
+                              segments.row(SegmentRow::torque)[node] * 0.5 *
+                                  (state.row(spin)[node] + next.row(spin)[node]));
+    const Eigen::Vector3d t = read(next, director, node);
+    bit_frame_.follow(read(state, director, node), t, step.drift * next.row(spin)[node]);
+    const auto beyond = static_cast<std::ptrdiff_t>(node) + 1;
+    write(next, position, beyond, read(next, position, node));
+    write(next, director, beyond, t);
+    write(next, last_director, beyond, t);
+}
+
+void Leapfrog::EndFrame::follow(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                double angle) {
+    const Eigen::Vector3d along = carried(d1, from, to);
+    d1 = (std::cos(angle) * along + std::sin(angle) * to.cross(along)).normalized();
+}
+
+Eigen::Vector3d Leapfrog::head_d1(double time) const {
+    if (scene_.head.motion == HeadMotion::free) return head_frame_.d1;
+    const double angle = scene_.head.rotation.integral(time);
+    return std::cos(angle) * scene_.head_frame.col(1) + std::sin(angle) * scene_.head_frame.col(2);
+}
+
+// ------------------------------------------------------------------ what the run reports
+
+/// Frames of the nodes: from the head's d1 by the shortest turn from director to director, and by
+/// the twist of the segment.
+std::vector<Eigen::Matrix3d> Leapfrog::material_frames(const BlockTable& state,
+                                                       const BlockTable& segments) const {
+    std::vector<Eigen::Matrix3d> frames;
+    EndFrame along{head_d1(time_)};
+    Eigen::Vector3d t = read(state, director, 0);
+    for (std::size_t k = 0; k <= model_.segments; ++k) {
+        if (k > 0) {
+            const Eigen::Vector3d to = read(state, director, k);
+            along.follow(t, to, scene_.mesh.length[k - 1] * segments.row(SegmentRow::twist)[k - 1]);
+            t = to;
+        }
+        Eigen::Matrix3d frame;
+        frame << t, along.d1, t.cross(along.d1);
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+/// Stress of a segment in the axes of its middle: strains of chord, directors and twist, times
+/// stiffness.
+Vector6 Leapfrog::stress(std::size_t k, const BlockTable& state, const BlockTable& segments,
+                         const Eigen::Matrix3d& first, const Eigen::Matrix3d& last) const {
+    const double h = scene_.mesh.length[k];
+    const Eigen::Vector3d chord = (read(state, position, k + 1) - read(state, position, k)) / h;
+    const Eigen::Vector3d ta = read(state, director, k);
+    const Eigen::Vector3d tb = read(state, director, k + 1);
+    const Eigen::Vector3d mean = (ta + tb).normalized();
+    const Eigen::Vector3d axis = ta.cross(tb);
+    const double sine = axis.norm();
+    const double angle = std::atan2(sine, ta.dot(tb));
+    const Eigen::Vector3d bend = sine > 0 ? Eigen::Vector3d(axis * (angle / sine / h))
+                                          : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    const Eigen::Vector3d d1 = 0.5 * (first.col(1) + last.col(1));
+    const Eigen::Vector3d d2 = 0.5 * (first.col(2) + last.col(2));
+    Vector6 strain;
+    strain << segments.row(SegmentRow::twist)[k], bend.dot(d1), bend.dot(d2), chord.dot(mean),
+        chord.dot(d1 - d1.dot(mean) * mean), chord.dot(d2 - d2.dot(mean) * mean);
+    const SectionProperties& section = scene_.mesh.segment[k];
+    return stiffness_of(section).cwiseProduct(strain - stress_free_strain(section));
+}
+
+/// The state at the whole step: half a kick on copies, and no drift.
+Leapfrog::Snapshot Leapfrog::snapshot() const {
+    const BlockTable& state = states_[current_];
+    Snapshot at{state, workers_.front().segments, surroundings_, {}, {}};
+    for (std::size_t block = 0; block < blocks_; ++block)
+        director_segments(model_, state, at.segments, block, last_drift_);
+    load_head(at.segments, state, time_);
+    load_bit(at.segments, state, time_);
+    for (std::size_t block = 0; block < blocks_; ++block)
+        director_nodes(model_, state, at.state, at.segments, at.surroundings, block,
+                       0.5 * last_drift_, 0.0);
+    if (scene_.head.motion == HeadMotion::driven) {
+        write(at.state, velocity, 0, Eigen::Vector3d::Zero());
+        write(at.state, angular_velocity, 0, Eigen::Vector3d::Zero());
+        at.state.row(spin)[0] = scene_.head.rotation(time_);
+    }
+    at.frame = material_frames(at.state, at.segments);
+    for (std::size_t k = 0; k < model_.segments; ++k)
+        at.stress.push_back(stress(k, at.state, at.segments, at.frame[k], at.frame[k + 1]));
+    return at;
+}
+
+double Leapfrog::node_kinetic_energy(const BlockTable& state, std::size_t node) const {
+    const double s = state.row(spin)[node];
+    return 0.5 * scene_.mesh.cell[node] *
+           (scene_.mesh.node[node].mass * read(state, velocity, node).squaredNorm() +
+            scene_.inertia[node] * read(state, angular_velocity, node).squaredNorm() +
+            scene_.mesh.node[node].polar_inertia * s * s);
+}
+
+double Leapfrog::potential_energy(const BlockTable& state) const {
+    double sum = 0;
+    for (std::size_t k = 0; k <= model_.segments; ++k)
+        sum -= scene_.mesh.cell[k] * scene_.weight[k] * scene_.down.dot(read(state, position, k));
+    return sum;
+}
+
+double Leapfrog::elastic_energy(const std::vector<Vector6>& stress) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < stress.size(); ++k) {
+        sum += 0.5 * scene_.mesh.length[k] *
+               stress[k].dot(stress[k].cwiseQuotient(stiffness_of(scene_.mesh.segment[k])));
+    }
+    return sum;
+}
+
+SeriesRecord Leapfrog::series() const {
+    const Snapshot at = snapshot();
+    const std::size_t last = model_.segments;
+    SeriesRecord record;
+    EnergyAccount& energy = record.energy;
+    double spring_energy = 0;
+    for (std::size_t k = 0; k <= last; ++k) {
+        energy.kinetic += node_kinetic_energy(at.state, k);
+        const NodeContact c = at.surroundings.contact(k, read(at.state, position, k));
+        if (c.penetration <= 0) continue;
+        ++record.contact_nodes;
+        record.max_penetration = std::max(record.max_penetration, c.penetration);
+        spring_energy += scene_.mesh.cell[k] * c.spring_energy;
+    }
+    energy.elastic = elastic_energy(at.stress) + spring_energy;
+    energy.potential = potential_energy(at.state) - initial_potential_;
+    energy.work = head_work_ + bit_work_;
+    if (scene_.head.motion == HeadMotion::driven)
+        energy.work += node_kinetic_energy(at.state, 0) - initial_head_energy_;
+    energy.dissipation = initial_spring_energy_ - spring_energy;
+    for (const Worker& worker : workers_)
+        energy.dissipation += worker.outflow;
+    record.time = time_;
+    record.head_stress = at.stress.front();
+    record.bit_stress = at.stress.back();
+    record.head_position = read(at.state, position, 0);
+    record.bit_position = read(at.state, position, last);
+    record.head_rotation_rate = at.state.row(spin)[0];
+    record.bit_rotation_rate = at.state.row(spin)[last];
+    record.step_size = last_drift_;
+    return record;
+}
+
+Profile Leapfrog::profile() const {
+    const Snapshot at = snapshot();
+    Profile profile;
+    profile.time = time_;
+    profile.stress = at.stress;
+    for (std::size_t k = 0; k <= model_.segments; ++k) {
+        const Eigen::Vector3d x = read(at.state, position, k);
+        const Eigen::Matrix3d to_body = at.frame[k].transpose();
+        const SectionProperties& section = scene_.mesh.node[k];
+        Vector6 momentum;
+        momentum << scene_.inertia[k] * (to_body * read(at.state, angular_velocity, k)),
+            section.mass * (to_body * read(at.state, velocity, k));
+        momentum[0] = section.polar_inertia * at.state.row(spin)[k];
+        const NodeContact c = at.surroundings.contact(k, x);
+        profile.position.push_back(x);
+        profile.director.emplace_back(at.frame[k].col(0));
+        profile.momentum.push_back(momentum);
+        profile.eccentricity.push_back(c.eccentricity);
+        profile.well_depth.push_back(c.well_depth);
+        profile.contact_force.push_back(c.force);
+        profile.normal_force.push_back(std::max(c.normal_force, 0.0));
+    }
+    return profile;
+}
+
+std::string Leapfrog::describe_fault() const {
+    for (const BlockTable& state : states_) {
+        for (std::size_t k = 0; k <= model_.segments; ++k) {
+            const Eigen::Vector3d v = read(state, velocity, k);
+            if (v.allFinite() && v.squaredNorm() < 1e20) continue;
+            return fmt::format(
+                "the solution diverged near node {}, {:.1f} m along the string, at t = {:.6f} s", k,
+                scene_.mesh.node_s[k], time_);
+        }
+    }
+    return fmt::format("the solution diverged at t = {:.6f} s", time_);
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,112 @@
+/// The production integrator: position Verlet on the director rod, with contact, friction and fluid
+/// implicit node by node. Scheme and stability bound: engine/integrators/README.md.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "drillstrand/simulation.hpp"
+#include "forces/surroundings.hpp"
+#include "numerics/barrier.hpp"
+#include "numerics/block_table.hpp"
+#include "rod/director.hpp"
+#include "rod/pose.hpp"
+
+namespace drillstrand {
+
+/// Largest stable step of the leapfrog on a scene (s), before the factor cfl: the least over the
+/// nodes of 2 / omega, omega the fastest motion that its own segments allow.
+double leapfrog_step_bound(const Scene& scene);
+
+class Leapfrog final : public Integrator {
+  public:
+    Leapfrog(const Scene& scene, double cfl, int threads);
+
+    void advance(double end, std::int64_t max_steps) override;
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] SeriesRecord series() const override;
+    [[nodiscard]] Profile profile() const override;
+    [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+
+  private:
+    /// A thread's share of the work. Each thread keeps its own segments, the block before its first
+    /// one included: computed twice rather than waited for.
+    struct Worker {
+        std::size_t begin = 0;  ///< first block
+        std::size_t end = 0;    ///< one past the last block
+        BlockTable segments;
+        double outflow = 0;  ///< energy given to surroundings and damping (J)
+        double impacts = 0;
+        double slips = 0;
+    };
+
+    /// One step: velocities from t - dt/2 to t + dt/2, poses from t to t + dt.
+    struct Step {
+        double time = 0;        ///< t (s)
+        double last_drift = 0;  ///< length of the step before (s)
+        double drift = 0;       ///< dt (s)
+        double kick = 0;        ///< time over which forces act: the mean of both (s)
+    };
+
+    /// A direction that goes along with an end of the rod: d1 of its section.
+    struct EndFrame {
+        Eigen::Vector3d d1;
+        void follow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle);
+    };
+
+    void run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps);
+    void step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+                     BlockTable& next, const Step& step);
+    void load_head(BlockTable& segments, const BlockTable& state, double time) const;
+    void load_bit(BlockTable& segments, const BlockTable& state, double time) const;
+    void finish_head(const BlockTable& segments, const BlockTable& state, BlockTable& next,
+                     const Step& step);
+    void finish_bit(const BlockTable& segments, const BlockTable& state, BlockTable& next,
+                    const Step& step);
+
+    [[nodiscard]] Eigen::Vector3d head_d1(double time) const;
+
+    /// Everything at the whole step that is reached: velocities after half a kick.
+    struct Snapshot {
+        BlockTable state;
+        BlockTable segments;
+        Surroundings surroundings;
+        std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
+        std::vector<Vector6> stress;         ///< N
+    };
+    [[nodiscard]] Snapshot snapshot() const;
+    [[nodiscard]] std::vector<Eigen::Matrix3d> material_frames(const BlockTable& state,
+                                                               const BlockTable& segments) const;
+    [[nodiscard]] Vector6 stress(std::size_t segment, const BlockTable& state,
+                                 const BlockTable& segments, const Eigen::Matrix3d& first,
+                                 const Eigen::Matrix3d& last) const;
+    [[nodiscard]] double node_kinetic_energy(const BlockTable& state, std::size_t node) const;
+    [[nodiscard]] double potential_energy(const BlockTable& state) const;
+    [[nodiscard]] double elastic_energy(const std::vector<Vector6>& stress) const;
+    [[nodiscard]] std::string describe_fault() const;
+
+    const Scene& scene_;
+    DirectorModel model_;
+    Surroundings surroundings_;
+    double bound_;  ///< cfl times the stability bound (s)
+    std::size_t blocks_;
+    BlockTable states_[2];
+    std::size_t current_ = 0;  ///< which of the two states is that of the last whole step
+    std::vector<Worker> workers_;
+    EndFrame head_frame_;
+    EndFrame bit_frame_;
+    Barrier barrier_;
+    std::atomic<bool> fault_{false};
+
+    double time_ = 0;
+    double last_drift_ = 0;
+    double head_work_ = 0;  ///< J
+    double bit_work_ = 0;   ///< J
+    double initial_head_energy_ = 0;
+    double initial_potential_ = 0;
+    double initial_spring_energy_ = 0;
+    StepStatistics statistics_;
+};
+
+}  // namespace drillstrand
