@@ -1,0 +1,246 @@
+// Frequencies of small vibrations and large swings, against exact or independently computed ones.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "validation/rod_cases.hpp"
+
+namespace drillstrand {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+using namespace test;
+
+/// A complex signal at times 0, step, 2 step, ...
+struct Signal {
+    std::vector<std::complex<double>> value;
+    double step = 0;
+};
+
+/// Angular frequency between `low` and `high` (rad/s, negative turns backward) at which the
+/// signal's spectrum, under a Blackman-Harris window (side lobes below -92 dB), is largest.
+double strongest_frequency(const Signal& signal, double low, double high) {
+    const std::size_t count = signal.value.size();
+    std::vector<std::complex<double>> windowed(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = 2 * pi * static_cast<double>(i) / static_cast<double>(count - 1);
+        windowed[i] = signal.value[i] * (0.35875 - 0.48829 * std::cos(x) +
+                                         0.14128 * std::cos(2 * x) - 0.01168 * std::cos(3 * x));
+    }
+    const auto magnitude = [&](double omega) {
+        const std::complex<double> turn = std::polar(1.0, -omega * signal.step);
+        std::complex<double> phase = 1;
+        std::complex<double> sum = 0;
+        for (const std::complex<double>& value : windowed) {
+            sum += value * phase;
+            phase *= turn;
+        }
+        return std::abs(sum);
+    };
+    // a scan finer than the main lobe, then golden sections of the interval around the best
+    constexpr int scans = 200;
+    const double width = (high - low) / scans;
+    double best = low;
+    double most = 0;
+    for (int i = 0; i <= scans; ++i) {
+        const double here = magnitude(low + i * width);
+        if (here > most) {
+            most = here;
+            best = low + i * width;
+        }
+    }
+    double left = best - width;
+    double right = best + width;
+    while (right - left > 1e-9 * std::abs(best)) {
+        const double third = (right - left) / 3;
+        if (magnitude(left + third) < magnitude(right - third)) {
+            left += third;
+        } else {
+            right -= third;
+        }
+    }
+    return (left + right) / 2;
+}
+
+/// The bit's motion across a string that hangs or lies along `first` x `second`, from time `start`.
+Signal bit_motion(const Run& run, double start, const Vector3d& first, const Vector3d& second) {
+    Signal signal;
+    signal.step = run.series[1].time - run.series[0].time;
+    for (const SeriesRecord& record : run.series) {
+        if (record.time < start) continue;
+        signal.value.emplace_back(record.bit_position.dot(first), record.bit_position.dot(second));
+    }
+    return signal;
+}
+
+std::string output_every(double interval) {
+    return fmt::format("[output]\ninterval = {}\nprofile_interval = 0\n", interval);
+}
+
+/// A dead force on the bit that rises and falls within `duration`.
+std::string tap_on_bit(const Vector3d& force, double duration) {
+    return fmt::format("[bit]\nforce = [[0, [0, 0, 0]], [{}, {}], [{}, [0, 0, 0]]]\n", duration / 2,
+                       list(force), duration);
+}
+
+/// Frequencies on 15 and 30 segments: second order, and the finer ones near the expected ones.
+template <std::size_t count, class Frequencies>
+void expect_second_order(const std::array<double, count>& exact, const Frequencies& frequencies,
+                         double within) {
+    const std::array<double, count> coarse = frequencies(15);
+    const std::array<double, count> fine = frequencies(30);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double error = fine[i] / exact[i] - 1;
+        EXPECT_LT(std::abs(error), within) << "mode " << i + 1;
+        EXPECT_NEAR(std::log2((coarse[i] / exact[i] - 1) / error), 2, 0.2)
+            << "mode " << i + 1 << ", error " << error;
+    }
+}
+
+/// The first frequencies of a cantilever along x after a tap, each looked for within a tenth.
+template <std::size_t count>
+std::array<double, count> frequencies_after_tap(const std::string& rod,
+                                                const std::array<double, count>& expected,
+                                                const std::string& mesh, double tap) {
+    const double interval = 0.1 / expected.back();
+    const test::Run result =
+        run("gravity = 0\n" + rod + mesh + "[head]\ndirection = [1, 0, 0]\n" +
+            tap_on_bit({0, 0, tap}, 2 / expected.back()) + output_every(interval));
+    const Signal signal =
+        bit_motion(result, 2 / expected.back(), Vector3d::UnitZ(), Vector3d::Zero());
+    std::array<double, count> found{};
+    for (std::size_t i = 0; i < count; ++i)
+        found[i] = strongest_frequency(signal, 0.9 * expected[i], 1.1 * expected[i]);
+    return found;
+}
+
+TEST(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
+    // exact: transfer matrices in multiple precision, shear coefficient 1 (Hz)
+    std::array<double, 3> exact = {0.23437231261569863, 1.4685681558197319, 4.111047292563714};
+    for (double& f : exact)
+        f *= 2 * pi;
+    // measured: -0.46, -1.6 and -2.6 over the square of the number of segments
+    expect_second_order(
+        exact,
+        [&](int segments) {
+            return frequencies_after_tap(table_2_pipe(), exact, mesh_and_run(segments, true, 30),
+                                         10);
+        },
+        4e-3);
+}
+
+/// A beam of unit length, mass and bending stiffness, as thick as I/(A L2) = 0.0025 makes it.
+Section thick_beam(double shear) {
+    return {.length = 1,
+            .mass = 1,
+            .inertia = 0.0025,
+            .bending = 1,
+            .torsional = 1,
+            .axial = 400,
+            .shear = shear};
+}
+
+TEST(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
+    struct Beam {
+        double shear;
+        std::array<double, 3> exact;  // rad/s, exact characteristic equation
+    };
+    const Beam beams[] = {
+        // nu = 0.3, k = 5/6: kGA = 5/6 400/2.6
+        {5. / 6 * 400 / 2.6, {3.435274961958389, 19.103623277014766, 46.60313987236625}},
+        // nu = 0, k = 1
+        {200, {3.456659448153444, 19.784716817135653, 49.55755187604857}}};
+    for (const Beam& beam : beams) {
+        expect_second_order(
+            beam.exact,
+            [&](int segments) {
+                return frequencies_after_tap(section_component(thick_beam(beam.shear)), beam.exact,
+                                             mesh_and_run(segments, false, 30), 1e-3);
+            },
+            3e-3);
+    }
+}
+
+TEST(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
+    // independent: Chebyshev collocation of the tensioned beam, 100 m of table 3 pipe, g = 9.81
+    const std::array<double, 3> exact = {0.394717, 1.042393, 2.102437};
+    // measured: -0.53, -3.5 and -6.1 over the square of the number of segments
+    const auto frequencies = [&](int segments) {
+        const test::Run result =
+            run("gravity = 9.81\n" + table_3_pipe(100) + mesh_and_run(segments, true, 120) +
+                tap_on_bit({0, 10, 0}, 0.5) + output_every(0.1));
+        const Signal signal = bit_motion(result, 0.5, Vector3d::UnitY(), Vector3d::Zero());
+        std::array<double, 3> found{};
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            found[i] = strongest_frequency(signal, 0.85 * exact[i], 1.15 * exact[i]);
+        return found;
+    };
+    expect_second_order(exact, frequencies, 8e-3);
+}
+
+TEST(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
+    // exact: linear rotor dynamics of the thick beam, k = 1, polar inertia 2 rho I, at 10 rad/s.
+    // The drive speeds up within five torsional periods 4 L/c, c2 = GJ/(rho Ip) = 200, so that no
+    // torsional vibration is left.
+    const double forward = 3.5676353423837806;
+    const double backward = 3.3478542392998136;
+    const double ramp = 5 * 4 / std::sqrt(200.0);
+    const test::Run result =
+        run("gravity = 0\n" + section_component(thick_beam(200)) + mesh_and_run(15, false, 150) +
+            fmt::format("[head]\ndirection = [0, 0, 1]\nrotation = [[0, 0], [{:.17g}, 10]]\n"
+                        "[bit]\nforce = [[2, [0, 0, 0]], [2.5, [1e-3, 0, 0]], [3, [0, 0, 0]]]\n",
+                        ramp) +
+            output_every(0.05));
+    const Signal signal = bit_motion(result, 3, Vector3d::UnitX(), Vector3d::UnitY());
+    const double found_forward = strongest_frequency(signal, 3, 4);
+    const double found_backward = -strongest_frequency(signal, -4, -3);
+    EXPECT_NEAR(found_forward / forward, 1, 2e-3);
+    EXPECT_NEAR(found_backward / backward, 1, 2e-3);
+    EXPECT_NEAR((found_forward - found_backward) / (forward - backward), 1, 5e-3);
+}
+
+TEST(RodVibration, UndampedPipeFallsAndSwingsAsAnIndependentSolutionDoes) {
+    // independent: spectral discontinuous Galerkin solution of the intrinsic equations, converged
+    // to the digits given; table 2 pipe let go level, g = 9.81
+    struct Instant {
+        double time;
+        double x;
+        double z;
+    };
+    const Instant reference[] = {
+        {0.5, 23.931912919, 1.724811036},  {1, 23.118682909, 6.077534366},
+        {1.5, 21.146898634, 10.519013881}, {2, 19.872558851, 12.390616597},
+        {3, 22.855870743, 6.869061354},    {4, 23.999496493, -0.018200712}};
+    const auto errors = [&](int segments) {
+        const test::Run result =
+            run("gravity = 9.81\n" + table_2_pipe() + mesh_and_run(segments, true, 4) +
+                "[head]\ndirection = [1, 0, 0]\n" + output_every(0.5));
+        std::vector<double> error;
+        for (const Instant& instant : reference) {
+            const auto index = static_cast<std::size_t>(std::lround(instant.time / 0.5));
+            const Vector3d tip = result.series.at(index).bit_position;
+            error.push_back((tip - Vector3d(instant.x, 0, instant.z)).norm());
+        }
+        return error;
+    };
+    const std::vector<double> coarse = errors(15);
+    const std::vector<double> middle = errors(30);
+    const std::vector<double> fine = errors(60);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        EXPECT_LT(fine[i], 5e-3) << reference[i].time << " s";
+        EXPECT_NEAR(std::log2(middle[i] / fine[i]), 2, 0.3)
+            << reference[i].time << " s: " << coarse[i] << ' ' << middle[i] << ' ' << fine[i];
+    }
+}
+
+}  // namespace
+}  // namespace drillstrand
