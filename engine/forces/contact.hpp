@@ -35,13 +35,32 @@ DRILLSTRAND_INLINE Tangential slip_velocity(double velocity_l, double velocity_t
     return {velocity_l, velocity_t + pipe_radius * spin_l};
 }
 
-/// Friction of one material pair. A coefficient of zero in a direction frees that direction.
+/// Friction of one material pair, from friction_parameters().
 struct FrictionParameters {
-    double stiffness;  ///< k_tan (Pa)
-    Tangential fixed;  ///< static coefficients
-    Tangential slide;  ///< dynamic coefficients
-    double cone;       ///< 1: forces never leave Coulomb's cone; 0: the paper's springs
+    double stiffness;          ///< k_tan (Pa)
+    double compliance;         ///< 1 / k_tan
+    Tangential fixed;          ///< static coefficients
+    Tangential slide;          ///< dynamic coefficients
+    Tangential fixed_inverse;  ///< 1 / static coefficient; 0 in a direction without friction
+    Tangential slide_inverse;  ///< 1 / dynamic coefficient; 0 in a direction without friction
+    double cone;               ///< 1: forces never leave Coulomb's cone; 0: the paper's springs
 };
+
+/// Coefficients and their inverses, so that kernels multiply. A coefficient of zero in a direction
+/// frees that direction.
+inline FrictionParameters friction_parameters(double stiffness, const Tangential& fixed,
+                                              const Tangential& slide, bool cone) {
+    const auto inverse = [](double coefficient) {
+        return coefficient > 0.0 ? 1.0 / coefficient : 0.0;
+    };
+    return {stiffness,
+            1.0 / stiffness,
+            fixed,
+            slide,
+            {inverse(fixed.axial), inverse(fixed.azimuthal)},
+            {inverse(slide.axial), inverse(slide.azimuthal)},
+            cone ? 1.0 : 0.0};
+}
 
 /// The spring of a node: elongation (m) and whether the point slides (1) or sticks (0).
 struct FrictionSpring {
@@ -49,34 +68,43 @@ struct FrictionSpring {
     double sliding;
 };
 
-/// Length of a tangential force measured in limits: 1 on the cone (an ellipse where the two
-/// coefficients differ), more outside. A direction without friction does not count.
-DRILLSTRAND_INLINE double cone_ratio(const Tangential& force, const Tangential& coefficient,
-                                     double normal) {
-    constexpr double tiny = 1e-300;
-    const double axial = coefficient.axial > 0.0 ? force.axial / coefficient.axial : 0.0;
-    const double azimuthal =
-        coefficient.azimuthal > 0.0 ? force.azimuthal / coefficient.azimuthal : 0.0;
-    return std::sqrt(axial * axial + azimuthal * azimuthal) / (normal > tiny ? normal : tiny);
+/// Square of the length of a tangential force measured in coefficients: the force is on Coulomb's
+/// cone (an ellipse where the two coefficients differ) where this is the square of the normal
+/// force. A direction without friction does not count.
+DRILLSTRAND_INLINE double friction_demand2(const Tangential& force, const Tangential& inverse) {
+    const double axial = force.axial * inverse.axial;
+    const double azimuthal = force.azimuthal * inverse.azimuthal;
+    return axial * axial + azimuthal * azimuthal;
 }
 
-DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tangential& coefficient,
+/// Whether a spring slides (1) or sticks (0) decides which of two coefficients limits it.
+DRILLSTRAND_INLINE Tangential chosen(bool first, const Tangential& a, const Tangential& b) {
+    return {first ? a.axial : b.axial, first ? a.azimuthal : b.azimuthal};
+}
+
+/// v times `scale`, without the components that have no friction (whose inverse coefficient is 0).
+DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tangential& inverse,
                                                  double scale) {
-    return {coefficient.axial > 0.0 ? v.axial * scale : 0.0,
-            coefficient.azimuthal > 0.0 ? v.azimuthal * scale : 0.0};
+    return {inverse.axial > 0.0 ? v.axial * scale : 0.0,
+            inverse.azimuthal > 0.0 ? v.azimuthal * scale : 0.0};
+}
+
+/// What brings a force of this demand back onto the cone; 1 inside it.
+DRILLSTRAND_INLINE double scale_onto_cone(double demand2, double normal) {
+    constexpr double tiny = 1e-300;
+    const bool outside = demand2 > normal * normal;
+    return outside ? normal / std::sqrt(demand2 > tiny ? demand2 : tiny) : 1.0;
 }
 
 /// Force of the wall on the pipe. The spring is held during a step; a normal force that falls takes
 /// Coulomb's limit with it. The paper's two springs (eqs. 10-12) know no limit within a step.
 DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, double normal,
                                              const FrictionParameters& p) {
-    const bool slides = spring.sliding > 0.5;
-    const Tangential coefficient = {slides ? p.slide.axial : p.fixed.axial,
-                                    slides ? p.slide.azimuthal : p.fixed.azimuthal};
+    const Tangential inverse = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
-    const double ratio = p.cone * cone_ratio(elastic, coefficient, normal);
-    return scaled_where_rough(elastic, coefficient, ratio > 1.0 ? 1.0 / ratio : 1.0);
+    const double demand2 = p.cone * friction_demand2(elastic, inverse);
+    return scaled_where_rough(elastic, inverse, scale_onto_cone(demand2, normal));
 }
 
 /// Coulomb's cone: the spring after the surface point moved by `slip` (m) under the normal force
@@ -86,16 +114,13 @@ DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, doubl
 DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
                                                  const Tangential& slip, double normal,
                                                  double penetration, const FrictionParameters& p) {
-    const bool slid = spring.sliding > 0.5;
-    const Tangential limit = {slid ? p.slide.axial : p.fixed.axial,
-                              slid ? p.slide.azimuthal : p.fixed.azimuthal};
+    const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential predictor = {spring.elongation.axial + slip.axial,
                                   spring.elongation.azimuthal + slip.azimuthal};
     const Tangential elastic = {p.stiffness * predictor.axial, p.stiffness * predictor.azimuthal};
-    const bool slides = cone_ratio(elastic, limit, normal) > 1.0;
-    const double sliding_ratio = cone_ratio(elastic, p.slide, normal);
-    const double scale = slides ? 1.0 / sliding_ratio : 1.0;
-    const Tangential kept = scaled_where_rough(predictor, p.slide, scale);
+    const bool slides = friction_demand2(elastic, limit) > normal * normal;
+    const double onto = scale_onto_cone(friction_demand2(elastic, p.slide_inverse), normal);
+    const Tangential kept = scaled_where_rough(predictor, p.slide_inverse, slides ? onto : 1.0);
     const bool touches = penetration > 0.0;
     return {{touches ? kept.axial : 0.0, touches ? kept.azimuthal : 0.0},
             touches && slides ? 1.0 : 0.0};

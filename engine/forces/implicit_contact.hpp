@@ -45,34 +45,37 @@ struct FrictionStep {
 /// Force of the spring on Coulomb's cone while the point slides: the F on the ellipse
 /// |F / mu| = f_n with F_i (a_i + lambda) = b_i, where b is the elongation that no force would
 /// leave and a_i = dt M_i + 1 / k what a unit of force takes from it; lambda F is the slip.
-/// Newton's method on 1 / |F / mu|, which is almost linear in lambda; then exactly onto the cone.
+///
+/// With w = b / mu, P = a_l + lambda and Q = a_t + lambda, |F / mu| = n / (P Q) with
+/// n^2 = w_l^2 Q^2 + w_t^2 P^2. Newton's method on its inverse P Q / n, which is almost linear in
+/// lambda: the step is n^2 (n / f_n - P Q) / (w_l^2 Q^3 + w_t^2 P^3). Last, exactly onto the cone.
 DRILLSTRAND_INLINE Tangential return_to_cone(const Tangential& b, const Tangential& a,
-                                             const Tangential& coefficient, double normal) {
+                                             const FrictionParameters& p, double normal) {
     constexpr double tiny = 1e-30;
-    const double limit = normal > tiny ? normal : tiny;
-    const double w_l = coefficient.axial > 0.0 ? b.axial / coefficient.axial : 0.0;
-    const double w_t = coefficient.azimuthal > 0.0 ? b.azimuthal / coefficient.azimuthal : 0.0;
+    constexpr int rounds = 3;
+    const double w_l = b.axial * p.slide_inverse.axial;
+    const double w_t = b.azimuthal * p.slide_inverse.azimuthal;
+    const double w_l2 = w_l * w_l;
+    const double w_t2 = w_t * w_t;
+    const double inverse_limit = 1.0 / (normal > tiny ? normal : tiny);
     const double most = a.axial > a.azimuthal ? a.axial : a.azimuthal;
-    const double start = std::sqrt(w_l * w_l + w_t * w_t) / limit - most;
+    const double start = std::sqrt(w_l2 + w_t2) * inverse_limit - most;
     double lambda = start > 0.0 ? start : 0.0;
-    double length = 0.0;
-#pragma GCC unroll 4
-    for (int i = 0; i < 4; ++i) {
-        const double i_l = 1.0 / (a.axial + lambda);
-        const double i_t = 1.0 / (a.azimuthal + lambda);
-        const double s_l = w_l * i_l * w_l * i_l;
-        const double s_t = w_t * i_t * w_t * i_t;
-        length = std::sqrt(s_l + s_t);
-        const double safe = length > tiny ? length : tiny;
-        const double slope = (s_l * i_l + s_t * i_t) / (safe * safe * safe);
-        const double correction = (1.0 / limit - 1.0 / safe) / (slope > tiny ? slope : tiny);
-        lambda = lambda + correction > 0.0 ? lambda + correction : 0.0;
+#pragma GCC unroll 3
+    for (int i = 0; i < rounds; ++i) {
+        const double l = a.axial + lambda;
+        const double t = a.azimuthal + lambda;
+        const double n2 = w_l2 * t * t + w_t2 * l * l;
+        const double slope = w_l2 * t * t * t + w_t2 * l * l * l;
+        const double miss = std::sqrt(n2) * inverse_limit - l * t;
+        const double corrected = lambda + n2 * miss / (slope > 0.0 ? slope : 1.0);
+        lambda = corrected > 0.0 ? corrected : 0.0;
     }
-    const double f_l = w_l / (a.axial + lambda);
-    const double f_t = w_t / (a.azimuthal + lambda);
-    const double reached = std::sqrt(f_l * f_l + f_t * f_t);
-    const double onto = (normal > 0.0 ? normal : 0.0) / (reached > tiny ? reached : tiny);
-    return {f_l * coefficient.axial * onto, f_t * coefficient.azimuthal * onto};
+    const double f_l = w_l * (a.azimuthal + lambda);
+    const double f_t = w_t * (a.axial + lambda);
+    const double reached2 = f_l * f_l + f_t * f_t;
+    const double onto = (normal > 0.0 ? normal : 0.0) / std::sqrt(reached2 > 0.0 ? reached2 : 1.0);
+    return {f_l * p.slide.axial * onto, f_t * p.slide.azimuthal * onto};
 }
 
 /// Coulomb's law: trial with a sticking spring, then return to the cone. The mobility around the
@@ -81,23 +84,22 @@ DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const
                                              double normal, double penetration, double radius,
                                              double dt, const Mobility& mobility,
                                              const FrictionParameters& p) {
-    const double compliance = 1.0 / p.stiffness;
     const Tangential a = {
-        dt * mobility.translation + compliance,
-        dt * (mobility.translation + radius * radius * mobility.rotation) + compliance};
+        dt * mobility.translation + p.compliance,
+        dt * (mobility.translation + radius * radius * mobility.rotation) + p.compliance};
     const Tangential b = {spring.elongation.axial + dt * v.l,
                           spring.elongation.azimuthal + dt * (v.t + radius * v.spin)};
-    const bool slid = spring.sliding > 0.5;
-    const Tangential limit = {slid ? p.slide.axial : p.fixed.axial,
-                              slid ? p.slide.azimuthal : p.fixed.azimuthal};
-    const Tangential stick =
-        scaled_where_rough({b.axial / a.axial, b.azimuthal / a.azimuthal}, p.slide, 1.0);
-    const bool slides = cone_ratio(stick, limit, normal) > 1.0;
-    const Tangential slip = return_to_cone(b, a, p.slide, normal);
+    const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
+    const double inverse = 1.0 / (a.axial * a.azimuthal);
+    const Tangential stick = scaled_where_rough({b.axial * a.azimuthal, b.azimuthal * a.axial},
+                                                p.slide_inverse, inverse);
+    const bool slides = friction_demand2(stick, limit) > normal * normal;
+    const Tangential slip = return_to_cone(b, a, p, normal);
     const bool touches = penetration > 0.0;
     const double f_l = touches ? (slides ? slip.axial : stick.axial) : 0.0;
     const double f_t = touches ? (slides ? slip.azimuthal : stick.azimuthal) : 0.0;
-    return {{{compliance * f_l, compliance * f_t}, touches && slides ? 1.0 : 0.0}, {-f_l, -f_t}};
+    return {{{p.compliance * f_l, p.compliance * f_t}, touches && slides ? 1.0 : 0.0},
+            {-f_l, -f_t}};
 }
 
 /// The paper's two springs, implicit: the axial one sees v_l, the azimuthal one R times the spin
@@ -106,11 +108,10 @@ DRILLSTRAND_INLINE FrictionStep paper_step(const FrictionSpring& spring, const W
                                            double elastic_normal, double penetration, double radius,
                                            double dt, const Mobility& mobility,
                                            const FrictionParameters& p) {
-    const double compliance = 1.0 / p.stiffness;
     const double stick_l =
-        (spring.elongation.axial + dt * v.l) / (dt * mobility.translation + compliance);
+        (spring.elongation.axial + dt * v.l) / (dt * mobility.translation + p.compliance);
     const double stick_t = (spring.elongation.azimuthal + dt * radius * v.spin) /
-                           (dt * radius * radius * mobility.rotation + compliance);
+                           (dt * radius * radius * mobility.rotation + p.compliance);
     const double slip_l = std::copysign(p.slide.axial * elastic_normal, stick_l);
     const double slip_t = std::copysign(p.slide.azimuthal * elastic_normal, stick_t);
     const bool touches = penetration > 0.0;
@@ -118,7 +119,7 @@ DRILLSTRAND_INLINE FrictionStep paper_step(const FrictionSpring& spring, const W
     const bool slides_t = std::abs(stick_t) > p.fixed.azimuthal * elastic_normal;
     const double f_l = touches ? (slides_l ? slip_l : stick_l) : 0.0;
     const double f_t = touches ? (slides_t ? slip_t : stick_t) : 0.0;
-    return {{{compliance * f_l, compliance * f_t}, 0.0}, {-f_l, -f_t}};
+    return {{{p.compliance * f_l, p.compliance * f_t}, 0.0}, {-f_l, -f_t}};
 }
 
 /// Velocities after the drag of the annular fluid has acted for the whole step at its end value:
@@ -132,9 +133,14 @@ DRILLSTRAND_INLINE WellVelocity implicit_drag(const WellVelocity& v, const DragC
     const double m12 = a * drag.cross;
     const double m21 = b * drag.cross;
     const double m22 = 1.0 + b * drag.spin;
-    const double inverse = 1.0 / (m11 * m22 - m12 * m21);
-    return {v.r / (1.0 + a * drag.radial), v.l / (1.0 + a * axial),
-            inverse * (m22 * v.t - m12 * v.spin), inverse * (m11 * v.spin - m21 * v.t)};
+    const double det = m11 * m22 - m12 * m21;
+    const double across = 1.0 + a * drag.radial;
+    const double along = 1.0 + a * axial;
+    // one division for the three
+    const double inverse = 1.0 / (det * across * along);
+    const double inverse_det = inverse * across * along;
+    return {v.r * (inverse * det * along), v.l * (inverse * det * across),
+            inverse_det * (m22 * v.t - m12 * v.spin), inverse_det * (m11 * v.spin - m21 * v.t)};
 }
 
 }  // namespace drillstrand

@@ -46,10 +46,11 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     const ContactCase& contact = scene.contact;
     p.normal_stiffness = contact.normal_stiffness;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
-    p.friction = {contact.tangential_stiffness,
-                  {contact.static_friction.axial, contact.static_friction.azimuthal},
-                  {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal},
-                  contact.law == FrictionLaw::coulomb ? 1.0 : 0.0};
+    p.friction =
+        friction_parameters(contact.tangential_stiffness,
+                            {contact.static_friction.axial, contact.static_friction.azimuthal},
+                            {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal},
+                            contact.law == FrictionLaw::coulomb);
     if (scene.fluid) {
         p.viscosity = scene.fluid->viscosity;
         p.film = scene.fluid->film;

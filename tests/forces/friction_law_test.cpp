@@ -15,7 +15,7 @@ constexpr double touching = 1e-3;  // m of penetration
 constexpr double inside = -1e-3;   // m of open hole
 
 FrictionParameters material(Tangential fixed, Tangential slide, double cone = 1) {
-    return {stiffness, fixed, slide, cone};
+    return friction_parameters(stiffness, fixed, slide, cone > 0);
 }
 const FrictionParameters steel = material({0.6, 0.6}, {0.42, 0.42});
 
