@@ -69,5 +69,42 @@ TEST(Energy, ResidualFallsWithTheSquareOfTheSegments) {
     EXPECT_LT(fine, 0.35 * coarse);
 }
 
+/// A weightless flywheel of a pipe: a push of 0.1 s spins it to 20 rad/s and sends it along the
+/// wall, against the sense of its spin. Half a second later friction has brought it to roll.
+test::Run rolling_flywheel(FrictionLaw law) {
+    Case input = short_pipe(0);
+    input.gravity = 0;
+    input.string.components.front().polar_inertia = 10;
+    input.contact.law = law;
+    input.contact.tangential_stiffness = 1e4;
+    input.initial.offset = clearance * Eigen::Vector3d::UnitX();
+    const auto peak = [](double t) { return std::abs(t - 0.05) < 1e-6 ? 1 / 0.05 : 0.0; };
+    load(
+        input, 0.1, 0.05,
+        [peak](double t) { return Eigen::Vector3d(0, -pipe_mass * 0.5 * peak(t), 0); },
+        [peak](double t) { return Eigen::Vector3d(0, 0, 10 * 20 * peak(t)); });
+    input.run.duration = 0.6;
+    input.output.interval = 0.01;
+    return run(input);
+}
+
+TEST(Energy, OfAPipeThatRollsUnderCoulombsLawOnlyFalls) {
+    const test::Run result = rolling_flywheel(FrictionLaw::coulomb);
+    const double given = result.last().energy.work;
+    EXPECT_NEAR(given, 20e3, 100);
+    EXPECT_GT(result.last().energy.dissipation, 0);
+    EXPECT_LT(result.last().energy.stored(), given);
+}
+
+// Why contact.law = "paper" is for comparison only: its azimuthal spring does not see that the pipe
+// already rolls, and pushes on.
+TEST(Energy, OfAPipeThatRollsUnderThePapersLawGrowsFromNothing) {
+    const test::Run result = rolling_flywheel(FrictionLaw::paper);
+    const double given = result.last().energy.work;
+    EXPECT_NEAR(given, 20e3, 100);
+    EXPECT_GT(result.last().energy.stored(), 2 * given);
+    EXPECT_LT(result.last().energy.dissipation, -given);
+}
+
 }  // namespace
 }  // namespace drillstrand::test
