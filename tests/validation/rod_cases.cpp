@@ -59,6 +59,7 @@ std::string mesh_and_run(int segments, bool segment_inertia, double duration) {
 segments = {}
 segment_inertia = {}
 [run]
+integrator = "dormand-prince"
 duration = {:.17g}
 threads = 1
 )",
