@@ -100,11 +100,12 @@ DRILLSTRAND_INLINE double scale_onto_cone(double demand2, double normal) {
 /// Coulomb's limit with it. The paper's two springs (eqs. 10-12) know no limit within a step.
 DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, double normal,
                                              const FrictionParameters& p) {
+    const double pressing = normal > 0.0 ? normal : 0.0;  // a dashpot that pulls does not rub
     const Tangential inverse = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
     const double demand2 = p.cone * friction_demand2(elastic, inverse);
-    return scaled_where_rough(elastic, inverse, scale_onto_cone(demand2, normal));
+    return scaled_where_rough(elastic, inverse, scale_onto_cone(demand2, pressing));
 }
 
 /// Coulomb's cone: the spring after the surface point moved by `slip` (m) under the normal force
@@ -114,12 +115,13 @@ DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, doubl
 DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
                                                  const Tangential& slip, double normal,
                                                  double penetration, const FrictionParameters& p) {
+    const double pressing = normal > 0.0 ? normal : 0.0;
     const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential predictor = {spring.elongation.axial + slip.axial,
                                   spring.elongation.azimuthal + slip.azimuthal};
     const Tangential elastic = {p.stiffness * predictor.axial, p.stiffness * predictor.azimuthal};
-    const bool slides = friction_demand2(elastic, limit) > normal * normal;
-    const double onto = scale_onto_cone(friction_demand2(elastic, p.slide_inverse), normal);
+    const bool slides = friction_demand2(elastic, limit) > pressing * pressing;
+    const double onto = scale_onto_cone(friction_demand2(elastic, p.slide_inverse), pressing);
     const Tangential kept = scaled_where_rough(predictor, p.slide_inverse, slides ? onto : 1.0);
     const bool touches = penetration > 0.0;
     return {{touches ? kept.axial : 0.0, touches ? kept.azimuthal : 0.0},

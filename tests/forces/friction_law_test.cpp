@@ -124,6 +124,13 @@ TEST(Coulomb, FallingNormalForceTakesTheLimitWithIt) {
     EXPECT_NEAR(friction_force(spring, 0, steel).axial, 0, 1e-300);
 }
 
+TEST(Coulomb, WallThatPullsDoesNotRub) {
+    const FrictionSpring stretched = moved({}, {1e-3, 1e-3}, 1000, steel);
+    EXPECT_NEAR(size(friction_force(stretched, -normal, steel)), 0, 1e-290);
+    const FrictionSpring spring = coulomb_spring(stretched, {1e-6, 0}, -normal, touching, steel);
+    EXPECT_NEAR(size(spring.elongation), 0, 1e-290);
+}
+
 TEST(Coulomb, SpringIsForgottenInTheOpenHole) {
     const FrictionSpring stretched = moved({}, {1e-3, 1e-3}, 1000, steel);
     const FrictionSpring spring = coulomb_spring(stretched, {0, 0}, 0, inside, steel);
