@@ -46,11 +46,13 @@ def write_readme(table, facts):
         else:
             row[f"2 threads, N = {meshes[-1]}"] = ""
         rows.append(row)
-    text = ("Nanoseconds per node, in brackets those of a plain scalar twin (arrays of structures, C "
-            "library functions) that\ncomputes the same, and how many times longer it takes. "
-            "Medians; a step is one attempted Dormand-Prince step, six evaluations of the right-hand "
-            "side.\n\n" + measure.markdown(rows))
-    measure.fill_readme("kernels", facts, text)
+    measure.fill_readme(
+        "kernels", facts,
+        "Nanoseconds per node; in brackets those of a plain scalar twin (arrays of structures, "
+        "functions of the C library) that computes the same, and how many times longer it takes. "
+        "Medians of interleaved repetitions. A step is one attempted Dormand-Prince step, that is "
+        "six evaluations of the right-hand side.",
+        measure.markdown(rows))
 
 
 def main():
@@ -63,8 +65,8 @@ def main():
 
     facts = measure.provenance(options.build)
     facts.append(("method", f"median of {options.repetitions} repetitions in random order, "
-                            f"{options.seconds} s each; ns of processor time per node, of wall time "
-                            "with 2 threads"))
+                            f"{options.seconds} s each; ns per node of processor time, with 2 "
+                            "threads of wall time"))
     table = medians(options.build, options.repetitions, options.seconds)
     rows = [{"kernel": kernel, "segments": segments,
              **{f"{side} (ns per node)": f"{ns[side]:.3f}" if side in ns else "" for side in SIDES}}

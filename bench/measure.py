@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
 import h5py
@@ -134,7 +135,7 @@ def markdown(rows):
     return "\n".join(lines)
 
 
-def fill_readme(name, facts, text):
+def fill_readme(name, facts, introduction, *tables):
     """Replaces the section of README.md between the markers of a table."""
     readme = ROOT / "README.md"
     begin, end = f"<!-- BEGIN table:{name} -->", f"<!-- END table:{name} -->"
@@ -142,7 +143,9 @@ def fill_readme(name, facts, text):
     if begin not in old or end not in old:
         sys.exit(f"{readme} has no {begin} ... {end}")
     source = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program"))
-    new = f"{begin}\n{text}\n\nMeasured on {source}.\n{end}"
+    parts = [textwrap.fill(introduction, 100), *tables,
+             textwrap.fill(f"Measured on {source}.", 100)]
+    new = "\n".join([begin, "\n\n".join(parts), end])
     head, rest = old.split(begin)
     readme.write_text(head + new + rest.split(end, 1)[1], encoding="utf-8")
     print(f"filled table {name} of {readme}", file=sys.stderr)
@@ -160,7 +163,8 @@ def figure(width, height, **options):
 
 def legend_below(panel):
     """The legend of a panel, where it hides no data."""
-    panel.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    panel.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2,
+                 frameon=False)
 
 
 def save(picture, path):

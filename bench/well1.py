@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Well 1 from its case file to its end, on one thread and on two: speed, steps, loads, energy.
 
-The paper's figure 21: 20 s of relaxation, rotation, and from 45 s on weight and torque at the bit. A
-steady weight has to take its own size off the head's tension, and the steps should lie between
+The paper's figure 21: 20 s of relaxation, rotation, and from 45 s on weight and torque at the bit.
+A steady weight has to take its own size off the head's tension, and the steps should lie between
 0.3e-5 and 3e-5 s as the paper's do.
 """
 
@@ -83,13 +83,14 @@ def write_readme(runs, identical, facts):
     names = [name for name in runs[0] if name != "threads"]
     rows = [{"": name, **{f"{run['threads']} thread{'s' * (run['threads'] > 1)}":
                           text_of(name, run[name]) for run in runs}} for name in names]
-    text = ("`cases/well1.toml` to its end. Steps are sampled at the records, every 0.1 s; the last "
-            "one before a record may be cut\nto as little as half, and the smallest of all is the "
-            "first one of the run. Tension and torques are means over\n"
-            f"{BEFORE[0]} to {BEFORE[1]} s (before the weight) and {AFTER[0]} to {AFTER[1]} s (under "
-            f"it). All series of the two runs are {'equal bit for bit' if identical else 'DIFFERENT'}"
-            ".\n\n" + measure.markdown(rows))
-    measure.fill_readme("well1", facts, text)
+    measure.fill_readme(
+        "well1", facts,
+        "`cases/well1.toml` to its end. Steps are sampled at the records, every 0.1 s: the last "
+        "one before a record may be cut to half. Tension and torques are means over "
+        f"{BEFORE[0]} to {BEFORE[1]} s (before the weight) and {AFTER[0]} to {AFTER[1]} s (under "
+        "it). All series of the two runs are "
+        f"{'equal bit for bit' if identical else 'DIFFERENT'}.",
+        measure.markdown(rows))
 
 
 def draw(series, path):
@@ -116,6 +117,7 @@ def draw(series, path):
     panels[4].set_ylabel("kinetic energy (kJ)")
     panels[5].semilogy(time[1:], series["step_size"][1:], ".", markersize=2, color=measure.PURPLE)
     panels[5].axhspan(*STEPS, color="grey", alpha=0.15)
+    panels[5].set_ylim(1e-6, 1e-4)
     panels[5].set_ylabel("step (s)")
     panels[5].set_xlabel("time (s)")
     panels[0].set_title("Well 1: stresses at the head (grey: range of the paper's steps)")
