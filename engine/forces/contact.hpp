@@ -89,23 +89,28 @@ DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tang
             inverse.azimuthal > 0.0 ? v.azimuthal * scale : 0.0};
 }
 
-/// What brings a force of this demand back onto the cone; 1 inside it.
-DRILLSTRAND_INLINE double scale_onto_cone(double demand2, double normal) {
+/// What a normal force can rub with: a wall that pulls does not.
+DRILLSTRAND_INLINE double pressing_force(double normal) {
+    return normal > 0.0 ? normal : 0.0;
+}
+
+/// What brings a force of this demand onto the cone.
+DRILLSTRAND_INLINE double scale_onto_cone(double demand2, double pressing) {
     constexpr double tiny = 1e-300;
-    const bool outside = demand2 > normal * normal;
-    return outside ? normal / std::sqrt(demand2 > tiny ? demand2 : tiny) : 1.0;
+    return pressing / std::sqrt(demand2 > tiny ? demand2 : tiny);
 }
 
 /// Force of the wall on the pipe. The spring is held during a step; a normal force that falls takes
 /// Coulomb's limit with it. The paper's two springs (eqs. 10-12) know no limit within a step.
 DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, double normal,
                                              const FrictionParameters& p) {
-    const double pressing = normal > 0.0 ? normal : 0.0;  // a dashpot that pulls does not rub
+    const double pressing = pressing_force(normal);
     const Tangential inverse = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
     const double demand2 = p.cone * friction_demand2(elastic, inverse);
-    return scaled_where_rough(elastic, inverse, scale_onto_cone(demand2, pressing));
+    const double onto = scale_onto_cone(demand2, pressing);
+    return scaled_where_rough(elastic, inverse, demand2 > pressing * pressing ? onto : 1.0);
 }
 
 /// Coulomb's cone: the spring after the surface point moved by `slip` (m) under the normal force
@@ -115,7 +120,7 @@ DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, doubl
 DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
                                                  const Tangential& slip, double normal,
                                                  double penetration, const FrictionParameters& p) {
-    const double pressing = normal > 0.0 ? normal : 0.0;
+    const double pressing = pressing_force(normal);
     const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
     const Tangential predictor = {spring.elongation.axial + slip.axial,
                                   spring.elongation.azimuthal + slip.azimuthal};

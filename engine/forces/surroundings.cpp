@@ -13,7 +13,9 @@ template <bool paper_law>
 DRILLSTRAND_INLINE void advance_springs_of_block(
     double* elongation_axial, double* elongation_azimuthal, double* sliding, const double* depth,
     const double* normal, const double* slip_axial, const double* slip_azimuthal, double dt,
-    double normal_stiffness, const FrictionParameters& friction) {
+    double normal_stiffness, const FrictionParameters& parameters) {
+    // a copy, which the stores below cannot change: a reference would be read again, by branches
+    const FrictionParameters friction = parameters;
 #pragma omp simd
     for (std::size_t k = 0; k < block_size; ++k) {
         const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};
