@@ -16,10 +16,7 @@ void refuse_unfinished(const Case& input, const toml::table& root) {
         const Value value(*root.at_path(path).node(), std::string(path));
         value.fail(fmt::format("asks for what is not available yet; expected {}", expected));
     };
-    refuse(input.run.integrator == IntegratorKind::leapfrog, "run.integrator",
-           "\"dormand-prince\"");
     refuse(input.initial.state == InitialState::equilibrium, "initial.state", "\"coaxial\"");
-    refuse(input.damping.kelvin_voigt > 0, "damping.kelvin_voigt", "0");
     refuse(input.fluid && input.fluid->added_mass, "fluid.added_mass", "false");
 }
 

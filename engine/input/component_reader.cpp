@@ -207,8 +207,8 @@ bool all_stiffnesses_given(const Component& component) {
 void read_diameters(const ComponentSource& source, Component& component) {
     const std::optional<double> outer =
         source.quantity("outer_diameter", dimension::length, positive);
-    const bool needed =
-        !all_stiffnesses_given(component) || !component.inertia || !component.polar_inertia;
+    // the polar inertia follows from the other one
+    const bool needed = !all_stiffnesses_given(component) || !component.inertia;
     if (needed && !outer) {
         source.fail_missing("outer_diameter",
                             "a length such as \"5 in\", or all stiffnesses and inertias outright");

@@ -32,8 +32,11 @@ void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vec
     write(segments, SegmentRow::pull, ghost, pull);
     write(segments, SegmentRow::couple, ghost, couple);
     segments.row(SegmentRow::torque)[ghost] = couple.dot(director);
-    for (const std::size_t row : {SegmentRow::lean, SegmentRow::drag_force, SegmentRow::drag_couple,
-                                  SegmentRow::first_couple, SegmentRow::last_couple})
+    segments.row(SegmentRow::viscous_torque)[ghost] = 0.0;
+    for (const std::size_t row :
+         {SegmentRow::lean, SegmentRow::first_couple, SegmentRow::last_couple,
+          SegmentRow::viscous_pull, SegmentRow::viscous_couple, SegmentRow::viscous_lean,
+          SegmentRow::drag_force, SegmentRow::drag_couple})
         write(segments, row, ghost, Eigen::Vector3d::Zero());
 }
 

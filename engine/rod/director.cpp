@@ -107,8 +107,10 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
     const ConstRows d1_b = rows_at(state, material, first + 1);
     double* twist = segments.row(SegmentRow::twist) + first;
     double* torque_out = segments.row(SegmentRow::torque) + first;
-    double* axial_out = segments.row(SegmentRow::axial) + first;
-    double* open = segments.row(SegmentRow::open) + first;
+    double* viscous_torque = segments.row(SegmentRow::viscous_torque) + first;
+    const Rows viscous_pull = rows_at(segments, SegmentRow::viscous_pull, first);
+    const Rows viscous_couple = rows_at(segments, SegmentRow::viscous_couple, first);
+    const Rows viscous_lean = rows_at(segments, SegmentRow::viscous_lean, first);
     const Rows pull = rows_at(segments, SegmentRow::pull, first);
     const Rows couple = rows_at(segments, SegmentRow::couple, first);
     const Rows lean = rows_at(segments, SegmentRow::lean, first);
@@ -143,7 +145,7 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
         const double g = dot(d, m);
         const Triple sh = combine(1.0, d, -g, m);
         const double stretch_force = axial[k] * (g - 1.0);
-        Triple n = combine(stretch_force, m, shear[k], sh);
+        const Triple n = combine(stretch_force, m, shear[k], sh);
         const double w = h * (shear[k] * g - stretch_force) * inverse_both;
 
         // bending: kb = (b / sin b) (t_k x t_k+1) / h, from tan(b/2) = |t x t| / (1 + cos b)
@@ -198,12 +200,14 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
             const double g_along = dot(g_rate, m);
             const double stretching = kelvin_voigt * axial[k] * g_along;
             const double shearing = kelvin_voigt * shear[k];
-            n = combine(1.0, n, stretching - shearing * g_along, m);
-            n = combine(1.0, n, shearing, g_rate);
-            const double k_along = dot(k_rate, m);
-            const double bending_rate = kelvin_voigt * bending[k];
-            bending_moment = combine(1.0, bending_moment, bending_rate, without(k_rate, m));
-            torque += kelvin_voigt * torsion[k] * k_along;
+            const double twisting = kelvin_voigt * torsion[k] * dot(k_rate, m);
+            const Triple along_both = combine(1.0, ta, 1.0, tb);
+            const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
+            viscous_pull.set(k, n_rate);
+            viscous_lean.set(k, combine(0.5 * h, cross(d, n_rate), 0.0, n_rate));
+            viscous_couple.set(k, combine(kelvin_voigt * bending[k], without(k_rate, m),
+                                          twisting * inverse_one, along_both));
+            viscous_torque[k] = twisting;
             const double half = 0.5 * h * internal_damping;
             drag_force.set(k, combine(half, g_rate, 0.0, g_rate));
             drag_couple.set(k, combine(half, k_rate, 0.0, k_rate));
@@ -213,8 +217,6 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
         couple.set(k, combine(1.0, bending_moment, t, combine(1.0, ta, 1.0, tb)));
         torque_out[k] = torque;
         lean.set(k, combine(w, sh, 0.0, sh));
-        axial_out[k] = stretch_force;
-        open[k] = cosine;
     };
 #pragma omp simd
     for (std::size_t k = 0; k < block_size; ++k)
@@ -266,6 +268,15 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const ConstRows drag_force_before = rows_at(segments, SegmentRow::drag_force, first - 1);
     const ConstRows drag_couple_after = rows_at(segments, SegmentRow::drag_couple, first);
     const ConstRows drag_couple_before = rows_at(segments, SegmentRow::drag_couple, first - 1);
+    const ConstRows viscous_pull_after = rows_at(segments, SegmentRow::viscous_pull, first);
+    const ConstRows viscous_pull_before = rows_at(segments, SegmentRow::viscous_pull, first - 1);
+    const ConstRows viscous_couple_after = rows_at(segments, SegmentRow::viscous_couple, first);
+    const ConstRows viscous_couple_before =
+        rows_at(segments, SegmentRow::viscous_couple, first - 1);
+    const ConstRows viscous_lean_after = rows_at(segments, SegmentRow::viscous_lean, first);
+    const ConstRows viscous_lean_before = rows_at(segments, SegmentRow::viscous_lean, first - 1);
+    const double* viscous_torque_after = segments.row(SegmentRow::viscous_torque) + first;
+    const double* viscous_torque_before = viscous_torque_after - 1;
     const ConstRows first_couple = rows_at(segments, SegmentRow::first_couple, first);
     const ConstRows last_couple = rows_at(segments, SegmentRow::last_couple, first - 1);
     const double* inverse_cell = c.row(Constants::inverse_cell) + first;
@@ -330,13 +341,6 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             couple = combine(1.0, couple, 1.0, own);
             torque += dot(own, t);
         }
-        if constexpr (damped) {
-            const Triple drag = combine(ic, drag_force_after[k], ic, drag_force_before[k]);
-            const Triple turn = combine(ic, drag_couple_after[k], ic, drag_couple_before[k]);
-            force = combine(1.0, force, -1.0, drag);
-            couple = combine(1.0, couple, -1.0, turn);
-            torque -= dot(turn, t);
-        }
         couple = without(couple, t);
 
         Triple v = combine(1.0, v_in[k], to_velocity, force);
@@ -358,6 +362,18 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         const Triple w_rod = w;
         const double s_rod = s;
         if constexpr (damped) {
+            // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit
+            const Triple viscous = combine(ic, viscous_pull_after[k], -ic, viscous_pull_before[k]);
+            const Triple drag = combine(ic, drag_force_after[k], ic, drag_force_before[k]);
+            const Triple turn = combine(ic, drag_couple_after[k], ic, drag_couple_before[k]);
+            const Triple bending =
+                combine(ic, viscous_couple_after[k], -ic, viscous_couple_before[k]);
+            const Triple shearing = combine(ic, viscous_lean_after[k], ic, viscous_lean_before[k]);
+            const Triple resisting = combine(1.0, combine(1.0, bending, 1.0, shearing), -1.0, turn);
+            const double twisting = ic * (viscous_torque_after[k] - viscous_torque_before[k]);
+            v = combine(1.0, v, to_velocity, combine(1.0, viscous, -1.0, drag));
+            w = combine(1.0, w, to_turning, without(resisting, t));
+            s += to_spin * (twisting - dot(turn, t));
             v = combine(1.0 / (1.0 + to_velocity * external_damping), v, 0.0, v);
             w = combine(1.0 / (1.0 + to_turning * external_damping), w, 0.0, w);
             s *= 1.0 / (1.0 + to_spin * external_damping);

@@ -64,18 +64,20 @@ class DirectorConstants {
 /// What segments hand to nodes; `twist` is state, the rest is written anew each step.
 struct SegmentRow {
     enum Row : std::size_t {
-        twist = 0,          // tau (1/m), without the stress-free twist
-        pull = 1,           // 3 rows, n: force on the first node, its reaction on the last (N)
-        couple = 4,         // 3 rows, on the first node, its reaction on the last (N m)
-        torque = 7,         // about the directors (N m)
-        lean = 8,           // 3 rows, h W: force on the directors of both nodes (N m)
-        drag_force = 11,    // 3 rows, D_in h/2 times the rate of stretch and shear
-        drag_couple = 14,   // 3 rows, D_in h/2 times the rate of bending and twist
-        first_couple = 17,  // 3 rows, own-shape couples on the first node (N m)
-        last_couple = 20,   // 3 rows, and on the last (N m)
-        axial = 23,         // EA (g - 1) (N)
-        open = 24,          // cosine of the angle between the directors; positive below 90 degrees
-        rows = 25
+        twist = 0,            // tau (1/m), without the stress-free twist
+        pull = 1,             // 3 rows, n: force on the first node, its reaction on the last (N)
+        couple = 4,           // 3 rows, on the first node, its reaction on the last (N m)
+        torque = 7,           // about the directors (N m)
+        lean = 8,             // 3 rows, h W: force on the directors of both nodes (N m)
+        first_couple = 11,    // 3 rows, own-shape couples on the first node (N m)
+        last_couple = 14,     // 3 rows, and on the last (N m)
+        viscous_pull = 17,    // 3 rows, as pull, of Kelvin-Voigt damping (N)
+        viscous_couple = 20,  // 3 rows, as couple (N m)
+        viscous_torque = 23,  // as torque (N m)
+        drag_force = 24,      // 3 rows, D_in h/2 times the rate of stretch and shear (N)
+        drag_couple = 27,     // 3 rows, D_in h/2 times the rate of bending and twist (N m)
+        viscous_lean = 30,    // 3 rows, couple of Kelvin-Voigt shear on each node (N m)
+        rows = 33
     };
 };
 

@@ -56,6 +56,7 @@ StrandModel::StrandModel(const Scene& scene)
       features(scene.features),
       internal_damping(scene.damping.internal),
       external_damping(scene.damping.external),
+      kelvin_voigt(scene.damping.kelvin_voigt),
       down(scene.down),
       segments(static_cast<std::size_t>(scene.segments)) {}
 
@@ -65,9 +66,12 @@ using Constants = StrandConstants;
 using Work = StrandWorkspace;
 
 /// Segments of one block: everything that vectorises.
-DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockTable& state,
-                                          BlockTable& rate, BlockTable& work, std::size_t block,
-                                          double (*step)[block_size]) {
+/// Returns the power of Kelvin-Voigt damping on the rod.
+DRILLSTRAND_KERNEL double segments_of_block(const StrandModel& model, const BlockTable& state,
+                                            BlockTable& rate, BlockTable& work, std::size_t block,
+                                            double (*step)[block_size]) {
+    const StrandConstants& c = model.constants;
+    const double kelvin_voigt = model.kelvin_voigt;
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(block * block_size);
     const ConstRows pi = rows_at(state, angular_momentum, first);
     const ConstRows p = rows_at(state, linear_momentum, first);
@@ -132,23 +136,29 @@ DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockT
         const Triple k_x_w = cross(kappa, w);
         const Triple k_x_v = cross(kappa, v);
         const Triple g_x_w = cross(gamma, w);
-        m_rate.set(k, {torsion[k] * (ih * (w_b.x - w_a.x) + k_x_w.x),
-                       bending[k] * (ih * (w_b.y - w_a.y) + k_x_w.y),
-                       bending[k] * (ih * (w_b.z - w_a.z) + k_x_w.z)});
-        n_rate.set(k, {axial[k] * (ih * (v_b.x - v_a.x) + k_x_v.x + g_x_w.x),
-                       shear[k] * (ih * (v_b.y - v_a.y) + k_x_v.y + g_x_w.y),
-                       shear[k] * (ih * (v_b.z - v_a.z) + k_x_v.z + g_x_w.z)});
+        const Triple m_dot = {torsion[k] * (ih * (w_b.x - w_a.x) + k_x_w.x),
+                              bending[k] * (ih * (w_b.y - w_a.y) + k_x_w.y),
+                              bending[k] * (ih * (w_b.z - w_a.z) + k_x_w.z)};
+        const Triple n_dot = {axial[k] * (ih * (v_b.x - v_a.x) + k_x_v.x + g_x_w.x),
+                              shear[k] * (ih * (v_b.y - v_a.y) + k_x_v.y + g_x_w.y),
+                              shear[k] * (ih * (v_b.z - v_a.z) + k_x_v.z + g_x_w.z)};
+        m_rate.set(k, m_dot);
+        n_rate.set(k, n_dot);
+
+        // Kelvin-Voigt: the stress that acts is S + tau A dU/dt; its own work is lost
+        const Triple m_all = combine(1.0, m, kelvin_voigt, m_dot);
+        const Triple n_all = combine(1.0, n, kelvin_voigt, n_dot);
 
         // wrenches S +- h/2 (k x m + g x n, k x n) on the end nodes
         const double hh = half_length[k];
-        const Triple k_x_m = cross(kappa, m);
-        const Triple g_x_n = cross(gamma, n);
-        const Triple k_x_n = cross(kappa, n);
+        const Triple k_x_m = cross(kappa, m_all);
+        const Triple g_x_n = cross(gamma, n_all);
+        const Triple k_x_n = cross(kappa, n_all);
         const Triple couple = combine(hh, k_x_m, hh, g_x_n);
-        first_moment.set(k, combine(1.0, m, 1.0, couple));
-        last_moment.set(k, combine(1.0, m, -1.0, couple));
-        first_force.set(k, combine(1.0, n, hh, k_x_n));
-        last_force.set(k, combine(1.0, n, -hh, k_x_n));
+        first_moment.set(k, combine(1.0, m_all, 1.0, couple));
+        last_moment.set(k, combine(1.0, m_all, -1.0, couple));
+        first_force.set(k, combine(1.0, n_all, hh, k_x_n));
+        last_force.set(k, combine(1.0, n_all, -hh, k_x_n));
 
         const SegmentPose pose =
             segment_pose(length[k], kappa.x, kappa.y, kappa.z, gamma.x, gamma.y, gamma.z);
@@ -164,10 +174,19 @@ DRILLSTRAND_KERNEL void segments_of_block(const StrandConstants& c, const BlockT
         step[9][k] = pose.position[0];
         step[10][k] = pose.position[1];
         step[11][k] = pose.position[2];
+
+        // - h B dU/dt . dU/dt
+        const Triple k_dot = {torsion_compliance[k] * m_dot.x, bending_compliance[k] * m_dot.y,
+                              bending_compliance[k] * m_dot.z};
+        const Triple g_dot = {axial_compliance[k] * n_dot.x, shear_compliance[k] * n_dot.y,
+                              shear_compliance[k] * n_dot.z};
+        return -kelvin_voigt * length[k] * (dot(m_dot, k_dot) + dot(n_dot, g_dot));
     };
-#pragma omp simd
+    double power = 0.0;
+#pragma omp simd reduction(+ : power)
     for (std::size_t k = 0; k < block_size; ++k)
-        segment(k);
+        power += segment(k);
+    return power;
 }
 
 /// Product of the poses of a block's segments: pose of each node in the frame of the first, and the
@@ -472,7 +491,7 @@ void segment_pass(const StrandModel& model, const BlockTable& state, BlockTable&
                   StrandWorkspace& work, std::size_t begin, std::size_t end) {
     alignas(block_alignment) double step[12][block_size];
     for (std::size_t block = begin; block < end; ++block) {
-        segments_of_block(model.constants, state, rate, work.table, block, step);
+        work.segment_power[block] = segments_of_block(model, state, rate, work.table, block, step);
         chain_segments_of_block(step, work.table, block, work.block_step[block]);
     }
 }
@@ -509,6 +528,7 @@ void node_pass(const StrandModel& model, const BlockTable& state, BlockTable& ra
     const NodeKernel kernel = node_kernel(model.features);
     for (std::size_t block = begin; block < end; ++block) {
         work.power[block] =
+            work.segment_power[block] +
             kernel(model, state, rate, work.table, block_start[block], surroundings, block);
     }
 }

@@ -75,11 +75,15 @@ class StrandWorkspace {
     };
 
     explicit StrandWorkspace(std::size_t nodes)
-        : table(rows, nodes), block_step(table.blocks()), power(table.blocks()) {}
+        : table(rows, nodes),
+          block_step(table.blocks()),
+          segment_power(table.blocks()),
+          power(table.blocks()) {}
 
     BlockTable table;
     std::vector<SegmentPose> block_step;  ///< pose from a block's first node to the next block's
-    std::vector<double> power;            ///< per block, of surroundings and damping on the rod (W)
+    std::vector<double> segment_power;    ///< per block, of Kelvin-Voigt damping on the rod (W)
+    std::vector<double> power;            ///< per block, of all damping and surroundings (W)
 };
 
 /// Everything about the rod that does not change in a run.
@@ -88,6 +92,7 @@ struct StrandModel {
     SceneFeatures features;
     double internal_damping = 0;  ///< D_in
     double external_damping = 0;  ///< D_ex
+    double kelvin_voigt = 0;      ///< tau (s)
     Eigen::Vector3d down{0, 0, 1};
     std::size_t segments = 0;
 
