@@ -318,12 +318,62 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const double film = p.film;
     const double eccentric_axial = p.eccentric_axial_drag ? 1.0 : 0.0;
 
-    const auto node = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+    // between the loops of a block in a well: velocities and the well frame
+    alignas(block_alignment) double hold[21][block_size];
+    const Rows v_held = {hold[0], hold[1], hold[2]};
+    const Rows v_rod_held = {hold[3], hold[4], hold[5]};
+    const Rows w_held = {hold[6], hold[7], hold[8]};
+    const Rows r_held = {hold[9], hold[10], hold[11]};
+    const Rows l_held = {hold[12], hold[13], hold[14]};
+    double* s_held = hold[15];
+    double* s_rod_held = hold[16];
+    double* turning_work_held = hold[17];
+    double* u_r = hold[18];
+    double* u_l = hold[19];
+    double* u_t = hold[20];
+    alignas(block_alignment) double eccentricity[block_size];
+
+    /// Velocities after all forces; poses follow them. The work of damping and surroundings is
+    /// theirs times the mean of the velocities of both half steps.
+    const auto finish = [&](std::size_t k, const Triple& v, const Triple& v_rod, const Triple& w,
+                            double s, double s_rod, double turning_work) DRILLSTRAND_LAMBDA {
+        const Triple t = t_in[k];
+        const double work =
+            mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
+            polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s) + turning_work;
+        const double speed2 = dot(v, v) + dot(w, w) + s * s;
         NodeStep done;
-        const Triple x = x_in[k];
+        done.outflow = -mobile_cell[k] * work;
+        done.faults = mobile_cell[k] > 0.0 && !(speed2 < 1e20) ? 1.0 : 0.0;
+
+        // poses: x += dt v; t turned by dt Om, exactly of unit length
+        const double q = 0.25 * drift * drift * dot(w, w);
+        const double inverse_q = 1.0 / (1.0 + q);
+        const Triple moved = combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t));
+        x_out.set(k, combine(1.0, x_in[k], drift, v));
+        v_out.set(k, v);
+        t_out.set(k, moved);
+        w_out.set(k, w);
+        last_out.set(k, t);
+        spin_out[k] = s;
+        if constexpr (curved) {
+            // d1 goes along with t by the shortest way, then turns about it by dt s
+            const Triple d1 = d1_in[k];
+            const Triple sum = combine(1.0, t, 1.0, moved);
+            const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
+            const Triple carried = combine(1.0, d1, -onto, sum);
+            const double angle = drift * s;
+            const double unit = 1.0 / (1.0 + 0.25 * angle * angle);
+            d1_out.set(k, combine((1.0 - 0.25 * angle * angle) * unit, carried, angle * unit,
+                                  cross(moved, carried)));
+        }
+        return done;
+    };
+
+    /// Velocities after the forces of the rod, the weight and the damping.
+    const auto predict = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const Triple t = t_in[k];
         const double ic = inverse_cell[k];
-        const double m = mass[k];
         const double to_velocity = kick * inverse_mass[k];
         const double to_spin = kick * inverse_polar[k];
         const double to_turning = kick * inverse_transverse[k];
@@ -356,11 +406,9 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         w = combine(1.0, w, to_turning, couple);
         w = combine(turn_cosine, w, turn_sine, cross(t, w));
 
-        // what follows are the forces of damping and surroundings; their work is theirs times the
-        // mean of the velocities of both half steps
         const Triple v_rod = v;
-        const Triple w_rod = w;
         const double s_rod = s;
+        double turning_work = 0.0;
         if constexpr (damped) {
             // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit
             const Triple viscous = combine(ic, viscous_pull_after[k], -ic, viscous_pull_before[k]);
@@ -371,23 +419,89 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const Triple shearing = combine(ic, viscous_lean_after[k], ic, viscous_lean_before[k]);
             const Triple resisting = combine(1.0, combine(1.0, bending, 1.0, shearing), -1.0, turn);
             const double twisting = ic * (viscous_torque_after[k] - viscous_torque_before[k]);
+            const Triple w_rod = w;
             v = combine(1.0, v, to_velocity, combine(1.0, viscous, -1.0, drag));
             w = combine(1.0, w, to_turning, without(resisting, t));
             s += to_spin * (twisting - dot(turn, t));
             v = combine(1.0 / (1.0 + to_velocity * external_damping), v, 0.0, v);
             w = combine(1.0 / (1.0 + to_turning * external_damping), w, 0.0, w);
             s *= 1.0 / (1.0 + to_spin * external_damping);
+            turning_work =
+                transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, w_in[k], 0.5, w));
         }
         if constexpr (wall) {
+            v_held.set(k, v);
+            v_rod_held.set(k, v_rod);
+            w_held.set(k, w);
+            s_held[k] = s;
+            s_rod_held[k] = s_rod;
+            turning_work_held[k] = turning_work;
+            return NodeStep{};
+        } else {
+            return finish(k, v, v_rod, w, s, s_rod, turning_work);
+        }
+    };
+
+    NodeStep sum;
+    if constexpr (!wall) {
+        double outflow = 0.0;
+        double faults = 0.0;
+#pragma omp simd reduction(+ : outflow, faults)
+        for (std::size_t k = 0; k < block_size; ++k) {
+            const NodeStep done = predict(k);
+            outflow += done.outflow;
+            faults += done.faults;
+        }
+        sum.outflow = outflow;
+        sum.faults = faults;
+        return sum;
+    } else {
+#pragma omp simd
+        for (std::size_t k = 0; k < block_size; ++k)
+            predict(k);
+
+        /// Where the node is in the well, and how it moves there.
+        struct Place {
+            double leaves, touches, touched, impact;
+        };
+        const auto surround = [&](std::size_t k) DRILLSTRAND_LAMBDA {
             const ArcNumbers arc = {arc_start[k], arc_tangent[k], arc_normal[k], curvature[k],
                                     hole[k]};
-            const WellFrame frame = well_frame(x, arc);
-            done.leavers = foot_leaves(frame, end_cosine[k], reach[k]) ? 1.0 : 0.0;
-            leaves[k] = done.leavers;
-            const Mobility mobility = {to_velocity, to_spin};
-            WellVelocity u = {dot(v, frame.r), dot(v, frame.l), dot(v, frame.t), s};
-
+            const WellFrame frame = well_frame(x_in[k], arc);
             const double dr = penetration(frame.eccentricity, hole[k], pipe[k]);
+            const Triple v = {hold[0][k], hold[1][k], hold[2][k]};
+            Place place;
+            place.leaves = foot_leaves(frame, end_cosine[k], reach[k]) ? 1.0 : 0.0;
+            place.touches = dr > 0.0 ? 1.0 : 0.0;
+            place.touched = depth[k] > 0.0 ? 1.0 : 0.0;
+            place.impact = place.touches * (1.0 - place.touched);
+            leaves[k] = place.leaves;
+            depth[k] = dr;
+            eccentricity[k] = frame.eccentricity;
+            r_held.set(k, frame.r);
+            l_held.set(k, frame.l);
+            u_r[k] = dot(v, frame.r);
+            u_l[k] = dot(v, frame.l);
+            u_t[k] = dot(v, frame.t);
+            return place;
+        };
+        double leavers = 0.0;
+        double touching = 0.0;
+        double touched = 0.0;
+        double impacts = 0.0;
+#pragma omp simd reduction(+ : leavers, touching, touched, impacts)
+        for (std::size_t k = 0; k < block_size; ++k) {
+            const Place place = surround(k);
+            leavers += place.leaves;
+            touching += place.touches;
+            touched += place.touched;
+            impacts += place.impact;
+        }
+
+        const auto touch = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
+            const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
+            const double dr = depth[k];
             const double normal = implicit_normal_force(dr, u.r, normal_stiffness, damping[k],
                                                         least_normal, kick, mobility);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
@@ -397,76 +511,65 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
                     ? paper_step(spring, u, normal_stiffness * dr, dr, pipe[k], kick, mobility,
                                  friction)
                     : coulomb_step(spring, u, normal, dr, pipe[k], kick, mobility, friction);
-            done.impacts = dr > 0.0 && depth[k] <= 0.0 ? 1.0 : 0.0;
-            done.slips = rub.spring.sliding > sliding[k] ? 1.0 : 0.0;
-            depth[k] = dr;
+            const double slip = rub.spring.sliding > sliding[k] ? 1.0 : 0.0;
             normal_out[k] = normal;
             elongation_axial[k] = rub.spring.elongation.axial;
             elongation_azimuthal[k] = rub.spring.elongation.azimuthal;
             sliding[k] = rub.spring.sliding;
-            WellVelocity after = {u.r + to_velocity * normal, u.l + to_velocity * rub.force.axial,
-                                  u.t + to_velocity * rub.force.azimuthal,
-                                  u.spin + to_spin * pipe[k] * rub.force.azimuthal};
-            if constexpr (has_mud(around)) {
-                const double eccentricity =
-                    drag_eccentricity(frame.eccentricity, pipe[k], hole[k], film);
-                const DragCoefficients drag = drag_coefficients(eccentricity, pipe[k], hole[k]);
+            u_r[k] = u.r + mobility.translation * normal;
+            u_l[k] = u.l + mobility.translation * rub.force.axial;
+            u_t[k] = u.t + mobility.translation * rub.force.azimuthal;
+            s_held[k] = u.spin + mobility.rotation * pipe[k] * rub.force.azimuthal;
+            return slip;
+        };
+        double slips = 0.0;
+        if (touching + touched > 0.0) {
+#pragma omp simd reduction(+ : slips)
+            for (std::size_t k = 0; k < block_size; ++k)
+                slips += touch(k);
+        }
+
+        if constexpr (has_mud(around)) {
+            const auto wade = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+                const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
+                const double held = drag_eccentricity(eccentricity[k], pipe[k], hole[k], film);
+                const DragCoefficients drag = drag_coefficients(held, pipe[k], hole[k]);
                 const double axial = eccentric_axial * drag.axial + concentric_axial[k];
                 // nodes in contact get no fluid force (paper)
-                after = implicit_drag(after, drag, axial, dr > 0.0 ? 0.0 : viscosity, mobility);
+                const WellVelocity after =
+                    implicit_drag({u_r[k], u_l[k], u_t[k], s_held[k]}, drag, axial,
+                                  depth[k] > 0.0 ? 0.0 : viscosity, mobility);
+                u_r[k] = after.r;
+                u_l[k] = after.l;
+                u_t[k] = after.t;
+                s_held[k] = after.spin;
+            };
+            if (touching < static_cast<double>(block_size)) {
+#pragma omp simd
+                for (std::size_t k = 0; k < block_size; ++k)
+                    wade(k);
             }
-            v = combine(1.0, v, after.r - u.r, frame.r);
-            v = combine(1.0, v, after.l - u.l, frame.l);
-            v = combine(1.0, v, after.t - u.t, frame.t);
-            s = after.spin;
         }
-        const double work =
-            m * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
-            transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, w_in[k], 0.5, w)) +
-            polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s);
-        const double speed2 = dot(v, v) + dot(w, w) + s * s;
-        done.outflow = -mobile_cell[k] * work;
-        done.faults = mobile_cell[k] > 0.0 && !(speed2 < 1e20) ? 1.0 : 0.0;
 
-        // poses: x += dt v; t turned by dt Om, exactly of unit length
-        const double q = 0.25 * drift * drift * dot(w, w);
-        const double inverse_q = 1.0 / (1.0 + q);
-        const Triple moved = combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t));
-        x_out.set(k, combine(1.0, x, drift, v));
-        v_out.set(k, v);
-        t_out.set(k, moved);
-        w_out.set(k, w);
-        last_out.set(k, t);
-        spin_out[k] = s;
-        if constexpr (curved) {
-            // d1 goes along with t by the shortest way, then turns about it by dt s
-            const Triple d1 = d1_in[k];
-            const Triple sum = combine(1.0, t, 1.0, moved);
-            const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
-            const Triple carried = combine(1.0, d1, -onto, sum);
-            const double angle = drift * s;
-            const double unit = 1.0 / (1.0 + 0.25 * angle * angle);
-            d1_out.set(k, combine((1.0 - 0.25 * angle * angle) * unit, carried, angle * unit,
-                                  cross(moved, carried)));
+        const auto leave = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            // the velocity normal to r, l and t is none: v is what it is along them
+            const Triple r = {hold[9][k], hold[10][k], hold[11][k]};
+            const Triple l = {hold[12][k], hold[13][k], hold[14][k]};
+            const Triple v = combine(1.0, combine(u_r[k], r, u_l[k], l), u_t[k], cross(r, l));
+            const Triple v_rod = {hold[3][k], hold[4][k], hold[5][k]};
+            const Triple w = {hold[6][k], hold[7][k], hold[8][k]};
+            return finish(k, v, v_rod, w, s_held[k], s_rod_held[k], turning_work_held[k]);
+        };
+        double outflow = 0.0;
+        double faults = 0.0;
+#pragma omp simd reduction(+ : outflow, faults)
+        for (std::size_t k = 0; k < block_size; ++k) {
+            const NodeStep done = leave(k);
+            outflow += done.outflow;
+            faults += done.faults;
         }
-        return done;
-    };
-
-    double outflow = 0.0;
-    double impacts = 0.0;
-    double slips = 0.0;
-    double leavers = 0.0;
-    double faults = 0.0;
-#pragma omp simd reduction(+ : outflow, impacts, slips, leavers, faults)
-    for (std::size_t k = 0; k < block_size; ++k) {
-        const NodeStep done = node(k);
-        outflow += done.outflow;
-        impacts += done.impacts;
-        slips += done.slips;
-        leavers += done.leavers;
-        faults += done.faults;
+        return {outflow, impacts, slips, leavers, faults};
     }
-    return {outflow, impacts, slips, leavers, faults};
 }
 
 using SegmentKernel = void (*)(const DirectorModel&, const BlockTable&, BlockTable&, std::size_t,
