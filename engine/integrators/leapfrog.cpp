@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "drillstrand/error.hpp"
+#include "drillstrand/step_bound.hpp"
 #include "forces/bit.hpp"
 #include "forces/well_frame.hpp"
 #include "rod/strand.hpp"
@@ -48,44 +49,11 @@ Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
 
 }  // namespace
 
-double leapfrog_step_bound(const Scene& scene) {
-    const StringMesh& mesh = scene.mesh;
-    const std::size_t segments = mesh.length.size();
-    double bound = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k <= segments; ++k) {
-        // stiffest and shortest of the node's segments
-        double axial = 0;
-        double shear = 0;
-        double bending = 0;
-        double torsion = 0;
-        for (std::size_t j = k == 0 ? 0 : k - 1; j < std::min(k + 1, segments); ++j) {
-            const SectionProperties& s = mesh.segment[j];
-            const double h2 = mesh.length[j] * mesh.length[j];
-            axial = std::max(axial, s.axial_stiffness / h2);
-            shear = std::max(shear, s.shear_stiffness / h2);
-            bending = std::max(bending, s.bending_stiffness / h2);
-            torsion = std::max(torsion, s.torsional_stiffness / h2);
-        }
-        const double h2 = std::pow(mesh.length[std::min(k, segments - 1)], 2);
-        const double mass = mesh.node[k].mass;
-        const double inertia = scene.inertia[k];
-        const double omega2 = std::max({4 * axial / mass,                          // axial waves
-                                        4 * torsion / mesh.node[k].polar_inertia,  // torsion
-                                        shear * h2 / inertia,  // shear, rotation
-                                        4 * shear / mass + 4 * bending / inertia});  // zigzags
-        // Kelvin-Voigt damping acts with the velocities of the last half step
-        const double omega = std::sqrt(omega2);
-        const double ratio = 0.5 * scene.damping.kelvin_voigt * omega;
-        bound = std::min(bound, 2 / omega * (std::sqrt(1 + ratio * ratio) - ratio));
-    }
-    return bound;
-}
-
 Leapfrog::Leapfrog(const Scene& scene, double cfl, int threads)
     : scene_(scene),
       model_(scene),
       surroundings_(scene, scene.initial_nodes.position),
-      bound_(cfl * leapfrog_step_bound(scene)),
+      bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
       blocks_(blocks_for(model_.segments + 1)),
       barrier_(1) {
     const std::size_t nodes = model_.segments + 1;

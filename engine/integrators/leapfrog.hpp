@@ -15,10 +15,6 @@
 
 namespace drillstrand {
 
-/// Largest stable step of the leapfrog on a scene (s), before the factor cfl: the least over the
-/// nodes of 2 / omega, omega the fastest motion that its own segments allow.
-double leapfrog_step_bound(const Scene& scene);
-
 class Leapfrog final : public Integrator {
   public:
     Leapfrog(const Scene& scene, double cfl, int threads);

@@ -1,20 +1,17 @@
 /// What a run will cost, as far as can be told before it.
 #pragma once
 
-#include <string>
-
 #include "drillstrand/case.hpp"
 #include "drillstrand/scene.hpp"
+#include "drillstrand/step_bound.hpp"
 
 namespace drillstrand::program {
 
-/// The fastest process of the discrete string bounds the time step of an explicit integrator; error
-/// control may keep it shorter.
+/// Steps at the bound of stability, for the leapfrog times cfl; error control may keep them
+/// shorter.
 struct StepEstimate {
-    double rate = 0;      ///< of that process (1/s)
-    std::string process;  ///< its name
-    double step = 0;      ///< s
-    double steps = 0;     ///< over the run, at that step
+    StepBound bound;
+    double steps = 0;  ///< over the run, at that step
 };
 
 StepEstimate estimate_step(const Case& input, const Scene& scene);
