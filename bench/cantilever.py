@@ -38,7 +38,8 @@ def tip(series):
 def run(options, segments, settings):
     """Runs the cantilever; returns attributes, series and processor time."""
     print(f"N = {segments}: {settings}", file=sys.stderr)
-    common = {"mesh.segments": segments, "output.interval": INTERVAL, "output.profile_interval": 0}
+    common = {"run.integrator": '"dormand-prince"', "mesh.segments": segments,
+              "output.interval": INTERVAL, "output.profile_interval": 0}
     return measure.run_case(options.build, CASE, common | settings)
 
 
@@ -142,7 +143,8 @@ def write_readme(tables, options, facts):
         title = ("With segment inertia (`mesh.segment_inertia = true`)" if inertia
                  else "The paper's rotary inertia (the default)")
         parts.append(f"{title}:\n\n{measure.markdown(lines)}")
-    measure.fill_readme("cantilever", facts, introduction, *parts)
+    measure.fill_readme("cantilever", facts, introduction, *parts,
+                        picture=measure.results_folder(options.machine) / "cantilever.png")
 
 
 def draw(tables, motions, reference, time, path):
@@ -176,7 +178,8 @@ def draw(tables, motions, reference, time, path):
     middle.loglog(h, rest, marker="^", color=measure.GREEN, label="rest (m)")
     middle.loglog(h, rest[0] * 0.4 * (h / h[0]) ** 2, color="grey", linestyle=":",
                   label="slope 2")
-    middle.set(xlabel="segment length h (m)", ylabel="error of the tip", title="Errors")
+    middle.set(xlabel="segment length h (m)", ylabel="error of the tip (m, m s$^{1/2}$)",
+               title="Errors")
     measure.legend_below(middle)
     right.set(xscale="log", yscale="log", xlabel="segment length h (m)", ylabel="step (s)",
               title="Accepted steps: mean, least, most")

@@ -135,7 +135,7 @@ def markdown(rows):
     return "\n".join(lines)
 
 
-def fill_readme(name, facts, introduction, *tables):
+def fill_readme(name, facts, introduction, *tables, picture=None):
     """Replaces the section of README.md between the markers of a table."""
     readme = ROOT / "README.md"
     begin, end = f"<!-- BEGIN table:{name} -->", f"<!-- END table:{name} -->"
@@ -143,8 +143,10 @@ def fill_readme(name, facts, introduction, *tables):
     if begin not in old or end not in old:
         sys.exit(f"{readme} has no {begin} ... {end}")
     source = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program"))
-    parts = [textwrap.fill(introduction, 100), *tables,
-             textwrap.fill(f"Measured on {source}.", 100)]
+    parts = [textwrap.fill(introduction, 100), *tables]
+    if picture:
+        parts.append(f"![{name}]({picture.relative_to(ROOT)})")
+    parts.append(textwrap.fill(f"Measured on {source}.", 100))
     new = "\n".join([begin, "\n\n".join(parts), end])
     head, rest = old.split(begin)
     readme.write_text(head + new + rest.split(end, 1)[1], encoding="utf-8")

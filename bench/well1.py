@@ -78,7 +78,7 @@ def text_of(name, value):
     return f"{value:.2f}" if value > 0.01 else f"{value:.2e}"
 
 
-def write_readme(runs, identical, facts):
+def write_readme(runs, identical, facts, picture):
     """One column per run."""
     names = [name for name in runs[0] if name != "threads"]
     rows = [{"": name, **{f"{run['threads']} thread{'s' * (run['threads'] > 1)}":
@@ -90,7 +90,7 @@ def write_readme(runs, identical, facts):
         f"{BEFORE[0]} to {BEFORE[1]} s (before the weight) and {AFTER[0]} to {AFTER[1]} s (under "
         "it). All series of the two runs are "
         f"{'equal bit for bit' if identical else 'DIFFERENT'}.",
-        measure.markdown(rows))
+        measure.markdown(rows), picture=picture)
 
 
 def draw(series, path):
@@ -136,7 +136,7 @@ def main():
 
     facts = measure.provenance(options.build)
     facts.append(("case", f"cases/{CASE}, {options.duration:g} s"))
-    settings = {"run.duration": options.duration}
+    settings = {"run.integrator": '"dormand-prince"', "run.duration": options.duration}
     results = [measure.run_case(options.build, CASE, settings, threads) for threads in (1, 2)]
     one, two = (series for _, series, _ in results)
     identical = all(np.array_equal(one[name], two[name]) for name in one)
@@ -148,7 +148,7 @@ def main():
     measure.write_csv(folder / "well1.csv", facts, runs)
     draw(one, folder / "well1.png")
     if options.readme:
-        write_readme(runs, identical, facts)
+        write_readme(runs, identical, facts, folder / "well1.png")
 
 
 if __name__ == "__main__":
