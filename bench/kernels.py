@@ -24,7 +24,8 @@ def medians(options):
                "--benchmark_report_aggregates_only=true"]
     done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
     table = {}
-    for entry in json.loads(done.stdout)["benchmarks"]:
+    entries = json.loads(done.stdout)["benchmarks"]
+    for entry in sorted(entries, key=lambda entry: entry["family_index"]):
         if entry["aggregate_name"] != "median":
             continue
         kernel, side, segments = entry["run_name"].split("/")[:3]

@@ -25,24 +25,26 @@ std::string output_of(const std::string& command) {
     return text;
 }
 
-int entries_of(const std::string& operands) {
-    if (operands.find("%zmm") != std::string::npos) return 8;
-    return operands.find("%ymm") != std::string::npos ? 4 : 2;
+int entries_of(const std::string& instruction) {
+    if (instruction.find("%zmm") != std::string::npos) return 8;
+    return instruction.find("%ymm") != std::string::npos ? 4 : 2;
 }
 
-void count(const std::string& instruction, const std::string& operands, VectorUse& use) {
+/// Counts one instruction, its operands behind blanks.
+void count(const std::string& text, VectorUse& use) {
     static const std::regex arithmetic(
         "v?(?:add|sub|mul|div|sqrt|min|max|fn?m(?:add|sub)\\d+)([ps])d");
+    const std::string instruction = text.substr(0, text.find(' '));
     std::smatch match;
     if (std::regex_match(instruction, match, arithmetic)) {
         if (match[1] == "s") {
             ++use.scalar_entries;
         } else {
-            const int entries = entries_of(operands);
+            const int entries = entries_of(text);
             use.packed_entries += entries;
             use.widest = std::max(use.widest, entries);
         }
-    } else if (instruction.rfind("call", 0) == 0) {
+    } else if (instruction.starts_with("call")) {
         ++use.calls;
     }
 }
@@ -50,20 +52,26 @@ void count(const std::string& instruction, const std::string& operands, VectorUs
 }  // namespace
 
 Kernels read_kernels(const std::string& objdump, const std::string& objects) {
+    static const std::regex file("(?:.*/)?(\\w+)\\.[^/]*: +file format .*");
     // 0000 <drillstrand::(anonymous namespace)::NAME(ARGUMENTS) [clone .VERSION]>:
-    static const std::regex heading(
-        "[0-9a-f]+ <(?:\\w+::|\\(anonymous namespace\\)::)*(\\w+)\\(.*\\[clone "
-        "\\.(arch_\\w+|default)\\]>:");
-    static const std::regex line("\\s+[0-9a-f]+:\\s+(?:\\{\\w+\\}\\s+)?(\\w+)\\s*(.*)");
+    // the first name before a bracket: return type and namespaces are followed by something else
+    static const std::regex version("[^>]*?(\\w+)[(<].*\\[clone \\.(arch_\\w+|default)\\]>:");
     Kernels kernels;
+    std::string stem;
     VectorUse* use = nullptr;
     std::istringstream text(output_of(objdump + " -d -C --no-show-raw-insn " + objects));
     std::smatch match;
     for (std::string row; std::getline(text, row);) {
         if (row.ends_with(">:")) {
-            use = std::regex_match(row, match, heading) ? &kernels[match[1]][match[2]] : nullptr;
-        } else if (use != nullptr && std::regex_match(row, match, line)) {
-            count(match[1], match[2], *use);
+            const std::string name = row.substr(row.find('<') + 1);
+            use = nullptr;
+            if (!std::regex_match(name, match, version)) continue;
+            kernels[stem + ": " + match[1].str()].push_back({match[2], name, {}});
+            use = &kernels[stem + ": " + match[1].str()].back().use;
+        } else if (const std::size_t tab = row.find('\t'); tab != std::string::npos) {
+            if (use != nullptr) count(row.substr(tab + 1), *use);
+        } else if (std::regex_match(row, match, file)) {
+            stem = match[1];
         }
     }
     return kernels;

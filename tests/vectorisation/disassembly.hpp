@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace drillstrand::test {
 
@@ -21,10 +22,16 @@ struct VectorUse {
     }
 };
 
-/// The versions of the kernels in object files, by the kernel's name and then by that of the
-/// instruction set ("arch_x86_64_v4", "arch_x86_64_v3", "default"). `objects` are paths separated
-/// by blanks. Throws std::runtime_error where objdump fails.
-using Kernels = std::map<std::string, std::map<std::string, VectorUse>>;
+/// One of the functions that the compiler makes of a kernel.
+struct KernelVersion {
+    std::string instruction_set;  ///< "arch_x86_64_v4", "arch_x86_64_v3" or "default"
+    std::string function;         ///< with the arguments of its template
+    VectorUse use;
+};
+
+/// The versions of all kernels in object files, by "FILE: KERNEL" without the file's extension.
+/// `objects` are paths as a shell takes them. Throws std::runtime_error where objdump fails.
+using Kernels = std::map<std::string, std::vector<KernelVersion>>;
 Kernels read_kernels(const std::string& objdump, const std::string& objects);
 
 }  // namespace drillstrand::test

@@ -1,0 +1,174 @@
+/// Stability stress test of the leapfrog: random scenes over engineers' ranges, several at a time.
+/// One line of CSV per scene on stdout. bench/stress.py runs it and judges the result.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "drillstrand/energy_audit.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/scene.hpp"
+#include "drillstrand/simulation.hpp"
+#include "stress_scenes.hpp"
+
+namespace drillstrand::bench {
+
+namespace {
+
+struct Options {
+    unsigned seed = 1;
+    int first = 0;
+    int scenes = 200;
+    double duration = 20;  ///< s
+    double cfl = 0.9;
+    int jobs = 0;
+};
+
+/// What a run did that may show an instability.
+class Watch : public Observer {
+  public:
+    void on_series(const SeriesRecord& record) override {
+        audit_.add(record.energy);
+        worst_residual = std::max(worst_residual, audit_.residual());
+        penetration = std::max(penetration, record.max_penetration);
+        last = record;
+    }
+    void on_profile(const Profile& /*profile*/) override {}
+    bool on_progress(double /*time*/, const StepStatistics& /*statistics*/) override {
+        return true;
+    }
+    [[nodiscard]] double residual() const { return audit_.residual(); }
+
+    double worst_residual = 0;  ///< most that ever appeared from nowhere, of the energy that moved
+    double penetration = 0;     ///< m
+    SeriesRecord last;
+
+  private:
+    EnergyAudit audit_;
+};
+
+struct Outcome {
+    std::string kind = "complete";
+    std::string why;
+};
+
+Outcome run_scene(const Scene& scene, const Options& options, Watch& watch,
+                  StepStatistics& statistics) {
+    IntegratorOptions choice;
+    choice.kind = IntegratorKind::leapfrog;
+    choice.cfl = options.cfl;
+    choice.threads = 1;
+    const auto integrator = make_integrator(scene, choice);
+    Outcome outcome;
+    try {
+        simulate(*integrator, {options.duration, 0.1, 0}, watch);
+    } catch (const GuardError& error) {
+        outcome = {"guard", error.what()};
+    } catch (const SimulationError& error) {
+        outcome = {"diverged", error.what()};
+    }
+    statistics = integrator->statistics();
+    return outcome;
+}
+
+double steepest_dogleg(const Case& input) {
+    const std::vector<double> severities = dogleg_severities(input.well->survey);
+    return *std::max_element(severities.begin(), severities.end());
+}
+
+std::string describe(const Case& input) {
+    constexpr double per_30_metres = 30 * 180 / 3.14159265358979323846;
+    const bool free = input.head.motion == HeadMotion::free;
+    double least = 1e9;
+    double most = 0;
+    double length = 0;
+    for (const Component& c : input.string.components) {
+        least = std::min(least, c.outer_diameter);
+        most = std::max(most, c.outer_diameter);
+        length += c.length;
+    }
+    const FluidCase fluid = input.fluid.value_or(FluidCase{});
+    return fmt::format(
+        "{:.0f},{},{},{:.4f},{:.4f},{:.2f},{},{:.1f},{},{:.0f},{:.1f},{},{:.2f},{:.2f},{:.2f},"
+        "{:.2f},{:.3g},{:.3g},{},{:.0f},{:.3f},{:.3g},{:.3g},{:.3g}",
+        length, input.mesh.segments, input.string.components.size(), least, most,
+        length / input.mesh.segments, input.well->sections.size(),
+        steepest_dogleg(input) * per_30_metres, free ? "free" : "driven",
+        free ? 0 : input.head.rotation.values().back() * 60 / 6.283185307179586,
+        input.bit.weight.values().back() / 1000,
+        input.bit.direction == BitDirection::well ? "well" : "follower",
+        input.contact.static_friction.axial, input.contact.static_friction.azimuthal,
+        input.contact.dynamic_friction.axial, input.contact.dynamic_friction.azimuthal,
+        input.contact.normal_stiffness, input.contact.tangential_stiffness,
+        input.contact.restitution ? fmt::format("e={:.2f}", *input.contact.restitution)
+                                  : fmt::format("{:.3g}", input.contact.normal_damping),
+        fluid.density, fluid.drag ? fluid.viscosity : 0.0, input.damping.internal,
+        input.damping.external, input.damping.kelvin_voigt);
+}
+
+constexpr const char* header =
+    "scene,length_m,segments,components,least_diameter_m,most_diameter_m,h_m,well_diameters,"
+    "dogleg_deg_30m,head,rotation_rpm,weight_kN,weight_direction,static_axial,static_azimuthal,"
+    "dynamic_axial,dynamic_azimuthal,normal_stiffness,tangential_stiffness,normal_damping,"
+    "fluid_density,viscosity,internal_damping,external_damping,kelvin_voigt,outcome,time_s,steps,"
+    "residual,worst_residual,penetration_m,impacts,slips,wall_s,why";
+
+std::string report(int index, const Options& options) {
+    using Clock = std::chrono::steady_clock;
+    const Case input = stress_scene(options.seed, index, options.duration);
+    const auto start = Clock::now();
+    Watch watch;
+    StepStatistics statistics;
+    const Scene scene = build_scene(input);
+    const Outcome outcome = run_scene(scene, options, watch, statistics);
+    const double wall = std::chrono::duration<double>(Clock::now() - start).count();
+    return fmt::format("{},{},{},{:.1f},{},{:.3g},{:.3g},{:.4g},{},{},{:.2f},\"{}\"\n", index,
+                       describe(input), outcome.kind, watch.last.time, statistics.steps,
+                       watch.residual(), watch.worst_residual, watch.penetration,
+                       watch.last.impacts, watch.last.slips, wall, outcome.why);
+}
+
+void run_all(const Options& options) {
+    fmt::print("{}\n", header);
+    std::atomic<int> next{options.first};
+    std::mutex printing;
+    const int end = options.first + options.scenes;
+    std::vector<std::jthread> workers;
+    const unsigned jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
+                                           : std::max(1U, std::thread::hardware_concurrency());
+    for (unsigned i = 0; i < jobs; ++i) {
+        workers.emplace_back([&] {
+            for (int index = next++; index < end; index = next++) {
+                const std::string line = report(index, options);
+                const std::lock_guard lock(printing);
+                fmt::print("{}", line);
+                std::fflush(stdout);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+}  // namespace drillstrand::bench
+
+int main(int argc, char** argv) {
+    drillstrand::bench::Options options;
+    CLI::App app{"Random scenes for the leapfrog, as CSV"};
+    app.add_option("--seed", options.seed, "seed of all scenes")->capture_default_str();
+    app.add_option("--first", options.first, "number of the first scene")->capture_default_str();
+    app.add_option("--scenes", options.scenes, "how many")->capture_default_str();
+    app.add_option("--duration", options.duration, "simulated s of each")->capture_default_str();
+    app.add_option("--cfl", options.cfl)->capture_default_str();
+    app.add_option("--jobs", options.jobs, "scenes at a time; 0: all cores")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    drillstrand::bench::run_all(options);
+}

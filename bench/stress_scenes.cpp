@@ -1,0 +1,323 @@
+#include "stress_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace drillstrand::bench {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double inch = 0.0254;
+constexpr double degree = pi / 180;
+constexpr double rpm = 2 * pi / 60;
+constexpr double steel_density = 7850;  // kg/m3
+constexpr double survey_step = 30;      // m
+
+struct Pipe {
+    const char* name;
+    double outer;  ///< in
+    double inner;  ///< in
+};
+
+// API sizes: drill pipe and casing from 2 3/8 to 20 in, heavy-weight pipe, drill collars
+constexpr Pipe pipes[] = {{"2 3/8 in pipe", 2.375, 1.815},
+                          {"2 7/8 in pipe", 2.875, 2.151},
+                          {"3 1/2 in pipe", 3.5, 2.764},
+                          {"4 in pipe", 4, 3.34},
+                          {"4 1/2 in pipe", 4.5, 3.826},
+                          {"5 in pipe", 5, 4.276},
+                          {"5 1/2 in pipe", 5.5, 4.778},
+                          {"6 5/8 in pipe", 6.625, 5.965},
+                          {"7 in casing", 7, 6.184},
+                          {"9 5/8 in casing", 9.625, 8.681},
+                          {"13 3/8 in casing", 13.375, 12.347},
+                          {"20 in casing", 20, 18.73}};
+constexpr Pipe heavy_pipes[] = {
+    {"3 1/2 in heavy pipe", 3.5, 2.063}, {"5 in heavy pipe", 5, 3},
+    {"3 1/8 in collar", 3.125, 1.25},    {"4 3/4 in collar", 4.75, 2.25},
+    {"6 1/2 in collar", 6.5, 2.8125},    {"8 in collar", 8, 2.8125},
+    {"9 1/2 in collar", 9.5, 3}};
+
+class Draw {
+  public:
+    Draw(unsigned seed, int index) {
+        std::seed_seq sequence{seed, static_cast<unsigned>(index)};
+        random_.seed(sequence);
+    }
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random_);
+    }
+    double log_uniform(double low, double high) {
+        return std::exp(uniform(std::log(low), std::log(high)));
+    }
+    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    bool chance(double probability) { return uniform(0, 1) < probability; }
+
+  private:
+    std::mt19937 random_;
+};
+
+Component component_of(const Pipe& pipe, double length) {
+    Component component;
+    component.name = pipe.name;
+    component.length = length;
+    component.outer_diameter = pipe.outer * inch;
+    component.inner_diameter = pipe.inner * inch;
+    component.linear_density =
+        steel_density * pi / 4 * inch * inch * (pipe.outer * pipe.outer - pipe.inner * pipe.inner);
+    component.youngs_modulus = 206e9;
+    return component;
+}
+
+/// Pipe on top, up to four heavier components of similar diameter below.
+std::vector<Component> draw_string(Draw& draw, double length) {
+    const Pipe& main = pipes[draw.whole(0, static_cast<int>(std::size(pipes)) - 1)];
+    std::vector<Component> lower;
+    double left = length;
+    const int heavier = draw.whole(0, 4);
+    for (int i = 0; i < heavier; ++i) {
+        const Pipe& pipe = heavy_pipes[draw.whole(0, static_cast<int>(std::size(heavy_pipes)) - 1)];
+        if (pipe.outer > 1.7 * main.outer || pipe.outer < 0.6 * main.outer) continue;
+        const double part = std::min(draw.uniform(9, 150), 0.3 * left);
+        lower.push_back(component_of(pipe, part));
+        left -= part;
+    }
+    std::vector<Component> string;
+    if (draw.chance(0.3)) {  // a tapered string
+        const Pipe* above = &main + (&main == std::end(pipes) - 1 ? 0 : 1);
+        const double part = draw.uniform(0.2, 0.6) * left;
+        if (above->outer < 1.35 * main.outer) {
+            string.push_back(component_of(*above, part));
+            left -= part;
+        }
+    }
+    string.push_back(component_of(main, left));
+    string.insert(string.end(), lower.begin(), lower.end());
+    if (draw.chance(0.1)) {  // a bent one near the bit
+        string.back().curvature = {0, draw.uniform(-0.01, 0.01), draw.uniform(-0.01, 0.01)};
+    }
+    return string;
+}
+
+/// Stretches of hold and of build, drop and turn; in between a little tortuosity.
+std::vector<SurveyStation> draw_survey(Draw& draw, double depth) {
+    const double worst = draw.uniform(0.5, 15) * degree / survey_step;  // severest dogleg (rad/m)
+    const double tortuosity = draw.uniform(0, 1.5) * degree / survey_step;
+    SurveyStation station{0, draw.chance(0.7) ? 0 : draw.uniform(0, 60) * degree,
+                          draw.uniform(0, 2 * pi)};
+    std::vector<SurveyStation> survey{station};
+    double stretch_end = draw.uniform(0, 0.3) * depth;
+    double build = 0;  // rad/m
+    double turn = 0;   // rad/m
+    while (station.measured_depth < depth) {
+        const double step = std::min(survey_step, depth - station.measured_depth + 1);
+        if (station.measured_depth >= stretch_end) {
+            const bool curved = build == 0 && turn == 0;
+            const double severity = curved ? worst * draw.uniform(0.3, 1) : 0;
+            const double way = draw.uniform(-0.5, 1) * pi / 2;
+            build = severity * std::cos(way);
+            turn = severity * std::sin(way);
+            // a bend goes on for up to 90 degrees
+            stretch_end = station.measured_depth +
+                          (curved ? std::max(survey_step, draw.uniform(0.1, 1.5) / severity)
+                                  : draw.uniform(0.02, 0.4) * depth);
+        }
+        const double sine = std::max(std::sin(station.inclination), 0.1);
+        double change = (build + tortuosity * draw.uniform(-0.5, 0.5)) * step;
+        double sideways = (turn + tortuosity * draw.uniform(-0.5, 0.5)) * step / sine;
+        if (station.inclination + change > 95 * degree) {
+            change = std::min(0.0, 95 * degree - station.inclination);
+            build = 0;
+        }
+        station.measured_depth += step;
+        station.inclination = std::max(0.0, station.inclination + change);
+        station.azimuth += std::clamp(sideways, -worst * step / sine, worst * step / sine);
+        survey.push_back(station);
+    }
+    return survey;
+}
+
+/// Largest outer diameter of the string below a depth, where it can get within the run.
+double widest_below(const std::vector<Component>& string, double depth) {
+    constexpr double travel = 60;  // m
+    double from = 0;
+    double widest = 0;
+    for (const Component& component : string) {
+        if (from + component.length > depth - travel)
+            widest = std::max(widest, component.outer_diameter);
+        from += component.length;
+    }
+    return widest;
+}
+
+/// One to three diameters, narrower with depth.
+std::vector<WellSectionCase> draw_sections(Draw& draw, const std::vector<Component>& string,
+                                           double depth) {
+    std::vector<WellSectionCase> sections;
+    const int count = draw.whole(1, 3);
+    double least = 0;
+    for (int i = count - 1; i >= 0; --i) {
+        const double from = depth * i / count;
+        const double hole = widest_below(string, from) * draw.uniform(1.15, 1.7);
+        least = std::max({least, hole, widest_below(string, from) + 0.5 * inch});
+        sections.insert(sections.begin(), {depth * (i + 1) / count, least});
+        least += 0.2 * inch;
+    }
+    return sections;
+}
+
+/// A schedule that goes from 0 to a value.
+ScalarSchedule ramp(double start, double time, double value) {
+    return ScalarSchedule({start, start + time}, {0.0, value});
+}
+
+double bending_stiffness(const Component& c) {
+    return c.youngs_modulus * pi / 64 *
+           (std::pow(c.outer_diameter, 4) - std::pow(c.inner_diameter, 4));
+}
+
+double axial_yield(const Component& c) {
+    return c.yield_strength * pi / 4 *
+           (std::pow(c.outer_diameter, 2) - std::pow(c.inner_diameter, 2));
+}
+
+/// Weight along the well, of the string in its fluid (N).
+double hanging_weight(const Case& input) {
+    double sum = 0;
+    double from = 0;
+    std::size_t station = 0;
+    for (const Component& c : input.string.components) {
+        const double metal =
+            pi / 4 * (std::pow(c.outer_diameter, 2) - std::pow(c.inner_diameter, 2));
+        const double displaced = !input.fluid ? 0
+                                 : input.fluid->inside == InsideOfPipe::fluid
+                                     ? metal
+                                     : pi / 4 * std::pow(c.outer_diameter, 2);
+        const double weight =
+            (c.linear_density - (input.fluid ? input.fluid->density : 0) * displaced) *
+            input.gravity;
+        for (double s = from; s < from + c.length; s += 1) {
+            while (station + 1 < input.well->survey.size() &&
+                   input.well->survey[station + 1].measured_depth < s) {
+                ++station;
+            }
+            sum += weight * std::cos(input.well->survey[station].inclination);
+        }
+        from += c.length;
+    }
+    return sum;
+}
+
+void draw_fluid(Draw& draw, Case& input) {
+    FluidCase fluid;
+    fluid.density = draw.uniform(900, 2200);
+    fluid.viscosity = draw.uniform(0, 0.1);
+    fluid.inside = draw.chance(0.15) ? InsideOfPipe::empty : InsideOfPipe::fluid;
+    fluid.drag = !draw.chance(0.1);
+    fluid.axial_drag = draw.chance(0.2) ? AxialDrag::concentric : AxialDrag::eccentric;
+    input.fluid = fluid;
+}
+
+void draw_contact(Draw& draw, ContactCase& contact) {
+    contact.normal_stiffness = draw.log_uniform(1e4, 1e9);
+    contact.tangential_stiffness = draw.log_uniform(1e4, 1e9);
+    contact.normal_damping = draw.log_uniform(1e2, 1e8);
+    if (draw.chance(0.3)) contact.restitution = draw.uniform(0, 1);
+    const double axial = draw.uniform(0, 0.8);
+    const double azimuthal = draw.chance(0.3) ? draw.uniform(0, 0.8) : axial;
+    const double dynamic = draw.uniform(0.5, 1);
+    contact.static_friction = {axial, azimuthal};
+    contact.dynamic_friction = {dynamic * axial, dynamic * azimuthal};
+}
+
+void draw_damping(Draw& draw, DampingCase& damping) {
+    if (draw.chance(0.5)) damping.internal = draw.log_uniform(1e-3, 10);
+    if (draw.chance(0.2)) damping.external = draw.log_uniform(1e-2, 10);
+    if (draw.chance(0.2)) damping.kelvin_voigt = draw.log_uniform(1e-6, 1e-3);
+}
+
+/// Rotation, weight and torque on bit; a free head hangs in the balance and is turned by a pulse.
+void draw_loads(Draw& draw, Case& input) {
+    double bearable = std::numeric_limits<double>::infinity();
+    for (const Component& c : input.string.components)
+        bearable = std::min(bearable, 0.5 * axial_yield(c));
+    const double weight = draw.chance(0.15) ? 0 : std::min(draw.uniform(0, 500e3), bearable);
+    const double start = draw.uniform(0, 8);
+    const double time = draw.uniform(0.5, 4);
+    input.bit.weight = ramp(start, time, weight);
+    input.bit.direction = draw.chance(0.5) ? BitDirection::well : BitDirection::follower;
+    input.bit.smoothing_speed = 1 * rpm;
+    const double hole = input.well->sections.back().diameter;
+    const double grip = draw.chance(0.3) ? 0 : draw.uniform(0, 0.5);
+    if (draw.chance(0.5)) {
+        input.bit.friction = grip;
+    } else {
+        input.bit.torque = ramp(start, time, grip * hole / 3 * weight);
+    }
+    const double begin = draw.uniform(0, 3);
+    const double over = draw.uniform(0.5, 4);
+    if (draw.chance(0.1)) {
+        const double kick = draw.uniform(0, 5e3);
+        input.head.motion = HeadMotion::free;
+        input.head.force = ramp(0, 0.5, 1);  // scaled below
+        const double pull = hanging_weight(input);
+        const SurveyStation& top = input.well->survey.front();
+        const Eigen::Vector3d down(std::sin(top.inclination) * std::cos(top.azimuth),
+                                   std::sin(top.inclination) * std::sin(top.azimuth),
+                                   std::cos(top.inclination));
+        input.head.force = VectorSchedule(
+            {start, start + time},
+            {Eigen::Vector3d(-pull * down), Eigen::Vector3d(-(pull - weight) * down)});
+        input.head.moment =
+            VectorSchedule({begin, begin + 0.5, begin + 1},
+                           {Eigen::Vector3d::Zero(), kick * down, Eigen::Vector3d::Zero()});
+    } else {
+        const double speed = draw.chance(0.15) ? 0 : draw.uniform(0, 300) * rpm;
+        input.head.rotation = ramp(begin, over, speed);
+    }
+}
+
+/// Segments of 5 to 10 m, shorter where the helix under the weight on bit asks for it.
+int draw_segments(Draw& draw, const Case& input, double length) {
+    double element = draw.uniform(5, 10);
+    const double weight = input.bit.weight.values().back();
+    if (weight > 0) {
+        for (const Component& c : input.string.components) {
+            const double pitch = std::sqrt(8 * pi * pi * bending_stiffness(c) / weight);
+            element = std::min(element, pitch / 4);
+        }
+    }
+    return std::max(4, static_cast<int>(std::round(length / element)));
+}
+
+}  // namespace
+
+Case stress_scene(unsigned seed, int index, double duration) {
+    Draw draw(seed, index);
+    Case input;
+    input.title = fmt::format("stress scene {} of seed {}", index, seed);
+    const double length = draw.log_uniform(100, 8000);
+    input.string.components = draw_string(draw, length);
+    WellCase well;
+    const double depth = length + 100;
+    well.survey = draw_survey(draw, depth);
+    well.sections = draw_sections(draw, input.string.components, depth);
+    input.well = well;
+    if (draw.chance(0.7)) draw_fluid(draw, input);
+    draw_contact(draw, input.contact);
+    draw_damping(draw, input.damping);
+    draw_loads(draw, input);
+    input.mesh.segments = draw_segments(draw, input, length);
+    input.run.integrator = IntegratorKind::leapfrog;
+    input.run.duration = duration;
+    return input;
+}
+
+}  // namespace drillstrand::bench

@@ -1,0 +1,13 @@
+/// Random drilling scenes over the ranges that engineers use, for the stability stress test.
+#pragma once
+
+#include "drillstrand/case.hpp"
+
+namespace drillstrand::bench {
+
+/// Scene number `index` of a seed: always the same one, on every machine with the same standard
+/// library. Strings of one to five components in wells of one to three diameters; what is drawn and
+/// from which range is said in bench/README.md.
+Case stress_scene(unsigned seed, int index, double duration);
+
+}  // namespace drillstrand::bench
