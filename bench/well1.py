@@ -44,6 +44,7 @@ def summary(attributes, series, processor_seconds):
         "wall (s)": float(attributes["wall_seconds"]),
         "simulated s per wall s": duration / float(attributes["wall_seconds"]),
         "processor time (s)": processor_seconds,
+        "simulated s per processor s": duration / processor_seconds,
         "accepted steps": int(attributes["steps"]),
         "rejected steps": int(attributes["steps_rejected"]),
         "mean step (s)": duration / int(attributes["steps"]),

@@ -3,6 +3,7 @@
 /// else would notice.
 #include <gmock/gmock.h>
 
+#include <ostream>
 #include <regex>
 #include <set>
 
@@ -26,6 +27,10 @@ struct Kernel {
     int widest = 8;                   ///< entries that its loop can use at once
     double least_share = loop_share;  ///< of packed arithmetic
 };
+
+void PrintTo(const Kernel& kernel, std::ostream* stream) {
+    *stream << kernel.name;
+}
 
 const std::vector<Kernel> kernels = {
     {"strand: segments_of_block"},
