@@ -152,8 +152,7 @@ ArkodeStrand::Solver::Solver(const Scene& the_scene, double tolerance, int order
         Vector6 stress = Vector6::Zero();
         if (!last) {
             const SectionProperties& s = scene.mesh.segment[k];
-            stress =
-                stiffness_of(s).cwiseProduct(scene.initial_strain[k] - stress_free_strain(s));
+            stress = stiffness_of(s).cwiseProduct(scene.initial_strain[k] - stress_free_strain(s));
         }
         for (std::size_t i = 0; i < 6; ++i) {
             const auto row = static_cast<Eigen::Index>(i);
@@ -215,8 +214,7 @@ void ArkodeStrand::Solver::read(const double* y, double t) {
     }
     for (std::size_t row = 0; row < 6; ++row)
         state.row(row)[0] = 0.0;
-    state.row(angular_momentum)[0] =
-        scene.mesh.node.front().polar_inertia * scene.head.rotation(t);
+    state.row(angular_momentum)[0] = scene.mesh.node.front().polar_inertia * scene.head.rotation(t);
 }
 
 void ArkodeStrand::Solver::write_rate(double* y) const {
@@ -263,8 +261,8 @@ void ArkodeStrand::Solver::load_bit(double t) {
     set_bit_wrench(work, node, bit_stress(scene.bit, motion, t));
 }
 
-/// Factors I - gamma J, J the Jacobian with the pose held. Unknowns that share no equation are moved
-/// together.
+/// Factors I - gamma J, J the Jacobian with the pose held. Unknowns that share no equation are
+/// moved together.
 void ArkodeStrand::Solver::precondition(double t, const double* y, double gamma) {
     std::vector<double> moved(y, y + unknowns);
     std::vector<double> base(unknowns);
@@ -309,9 +307,8 @@ void ArkodeStrand::Solver::follow_surroundings(double step) {
     for (std::size_t block = 0; block < work.table.blocks(); ++block) {
         if (!surroundings.changes(block)) continue;
         surroundings.advance_springs(step, block);
-        surroundings.refresh_arcs(block, [&](std::size_t node) {
-            return node_pose(work, block_start, node).position;
-        });
+        surroundings.refresh_arcs(
+            block, [&](std::size_t node) { return node_pose(work, block_start, node).position; });
     }
 }
 

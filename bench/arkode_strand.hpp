@@ -1,10 +1,10 @@
 /// The strand equations under a stiff integrator that this project has not written: ARKODE of
 /// SUNDIALS, diagonally implicit Runge-Kutta with adaptive step. For comparison only.
 ///
-/// The right-hand side is the engine's own (rod/strand.hpp), kernels and all. Each stage is solved by
-/// Newton's method with GMRES; its preconditioner is the band of the Jacobian that stays when the
-/// pose of the string is held, which leaves segments and nodes coupled to their neighbours alone.
-/// Friction springs and arcs are held during a step and follow it, as in `dormand-prince`.
+/// The right-hand side is the engine's own (rod/strand.hpp), kernels and all. Each stage is solved
+/// by Newton's method with GMRES; its preconditioner is the band of the Jacobian that stays when
+/// the pose of the string is held, which leaves segments and nodes coupled to their neighbours
+/// alone. Friction springs and arcs are held during a step and follow it, as in `dormand-prince`.
 #pragma once
 
 #include <cstdint>

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -105,7 +106,8 @@ std::vector<double> at_stations(const Profile& profile, int stations) {
 }
 
 struct Outcome {
-    double wall = 0;  ///< of all advances (s)
+    double wall = 0;       ///< of all advances (s)
+    double processor = 0;  ///< of all threads (s)
     StepStatistics statistics;
     std::vector<double> time;
     std::vector<std::vector<double>> rows;
@@ -125,7 +127,9 @@ Outcome run_once(const Job& job, const Case& input, const Scene& scene) {
     for (int i = 1; i <= samples; ++i) {
         const double end = i * interval;
         const auto start = Clock::now();
+        const std::clock_t processor_start = std::clock();
         runner.advance(end);
+        outcome.processor += static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
         outcome.wall += std::chrono::duration<double>(Clock::now() - start).count();
         record(end);
     }
@@ -133,16 +137,22 @@ Outcome run_once(const Job& job, const Case& input, const Scene& scene) {
     return outcome;
 }
 
-void print(const Outcome& outcome, std::vector<double> walls) {
-    std::sort(walls.begin(), walls.end());
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void print(const Outcome& outcome, const std::vector<double>& walls,
+           const std::vector<double>& processors) {
     const StepStatistics& s = outcome.statistics;
     std::string rows;
     for (const std::vector<double>& row : outcome.rows)
         rows += fmt::format("{}[{:.17g}]", rows.empty() ? "" : ",\n", fmt::join(row, ","));
     std::cout << fmt::format(
-        "{{\"wall\": {:.6g}, \"repetitions\": {}, \"steps\": {}, \"rejected\": {}, "
+        "{{\"wall\": {:.6g}, \"processor\": {:.6g}, \"repetitions\": {}, \"steps\": {}, "
+        "\"rejected\": {}, "
         "\"evaluations\": {},\n\"time\": [{:.17g}],\n\"rows\": [{}]}}\n",
-        walls[walls.size() / 2], walls.size(), s.steps, s.rejected, s.evaluations,
+        median(walls), median(processors), walls.size(), s.steps, s.rejected, s.evaluations,
         fmt::join(outcome.time, ","), rows);
 }
 
@@ -150,19 +160,20 @@ void run(const Job& job) {
     const Case input = read_case(job.path, overrides(job));
     const Scene scene = build_scene(input);
     if (scene.segments % job.stations != 0 || scene.segments < 2) {
-        throw std::invalid_argument(
-            fmt::format("{} segments do not divide into {} stretches", scene.segments,
-                        job.stations));
+        throw std::invalid_argument(fmt::format("{} segments do not divide into {} stretches",
+                                                scene.segments, job.stations));
     }
     std::vector<double> walls;
+    std::vector<double> processors;
     double sum = 0;
     std::optional<Outcome> outcome;
     do {
         outcome = run_once(job, input, scene);
         walls.push_back(outcome->wall);
+        processors.push_back(outcome->processor);
         sum += outcome->wall;
     } while (sum < job.seconds && static_cast<int>(walls.size()) < job.most_repetitions);
-    print(*outcome, walls);
+    print(*outcome, walls, processors);
 }
 
 }  // namespace
