@@ -17,6 +17,9 @@ import h5py
 
 ROOT = Path(__file__).resolve().parent.parent
 
+# Loads of a machine that does nothing else, before a measurement and after one on two threads.
+IDLE, BUSY = 0.5, 2.5
+
 # Okabe and Ito: told apart with every common kind of colour blindness.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
@@ -76,11 +79,15 @@ def provenance(build):
     """Machine, compiler, program and load of a measurement, as (name, value) pairs."""
     program = executable(build, "drillstrand")
     version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
-    load = os.getloadavg()[0]
     return [("machine", f"{processor()}, {os.cpu_count()} cores"),
             ("compiler", compiler(build)),
             ("program", version.stdout.strip()),
-            ("load", f"{load:.1f} processes on average in the minute before the measurement")]
+            ("load before", load())]
+
+
+def load():
+    """Processes that ran or waited in the last minute, on average."""
+    return f"{os.getloadavg()[0]:.1f}"
 
 
 def run_case(build, case, settings, threads=1, output=None):
@@ -117,7 +124,9 @@ def results_folder(machine):
 
 
 def write_csv(path, facts, rows):
-    """A table with its facts as comments. `rows` are dicts with the same keys."""
+    """A table with its facts as comments; adds the load that the measurement ends with. `rows` are
+    dicts with the same keys."""
+    facts.append(("load after", load()))
     with open(path, "w", encoding="utf-8", newline="") as file:
         for name, value in facts:
             file.write(f"# {name}: {value}\n")
@@ -136,7 +145,8 @@ def markdown(rows):
 
 
 def fill_readme(name, facts, introduction, *tables, picture=None):
-    """Replaces the section of README.md between the markers of a table."""
+    """Replaces the section of README.md between the markers of a table. Says so where the machine
+    was busy with something else."""
     readme = ROOT / "README.md"
     begin, end = f"<!-- BEGIN table:{name} -->", f"<!-- END table:{name} -->"
     old = readme.read_text(encoding="utf-8")
@@ -146,7 +156,11 @@ def fill_readme(name, facts, introduction, *tables, picture=None):
     parts = [textwrap.fill(introduction, 100), *tables]
     if picture:
         parts.append(f"![{name}]({picture.relative_to(ROOT)})")
-    parts.append(textwrap.fill(f"Measured on {source}.", 100))
+    before, after = (dict(facts).get(key, load()) for key in ("load before", "load after"))
+    remark = ("" if float(before) < IDLE and float(after) < BUSY else
+              f" Other work ran at the same time (load {before} before, {after} after): wall times "
+              "and all times of several threads are too long; processor times of one thread hold.")
+    parts.append(textwrap.fill(f"Measured on {source}.{remark}", 100))
     new = "\n".join([begin, "\n\n".join(parts), end])
     head, rest = old.split(begin)
     readme.write_text(head + new + rest.split(end, 1)[1], encoding="utf-8")
