@@ -126,7 +126,8 @@ def results_folder(machine):
 def write_csv(path, facts, rows):
     """A table with its facts as comments; adds the load that the measurement ends with. `rows` are
     dicts with the same keys."""
-    facts.append(("load after", load()))
+    if "load after" not in dict(facts):
+        facts.append(("load after", load()))
     with open(path, "w", encoding="utf-8", newline="") as file:
         for name, value in facts:
             file.write(f"# {name}: {value}\n")
