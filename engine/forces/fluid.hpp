@@ -32,7 +32,8 @@ DRILLSTRAND_INLINE DragCoefficients drag_coefficients(double eccentricity, doubl
                                (hole - pipe + eccentricity) * (hole + pipe + eccentricity));
     const double sinh_d = t / q;
     const double cosh_d = std::sqrt(1.0 + sinh_d * sinh_d);
-    const double d = asinh_nonnegative(sinh_d);
+    // asinh(sinh D), to 1e-16 / D: films are not thin enough for more to matter
+    const double d = log1p_nonnegative(sinh_d + (cosh_d - 1.0));
     const double d2 = d * d;
 
     // Phi = D cosh D - sinh D; its difference form loses digits for small D.

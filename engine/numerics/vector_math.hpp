@@ -59,12 +59,6 @@ DRILLSTRAND_INLINE double log1p_nonnegative(double y) {
     return e * ln2_high + (2.0 * s * series + (lost + e * ln2_low));
 }
 
-/// asinh(z) for z >= 0.
-DRILLSTRAND_INLINE double asinh_nonnegative(double z) {
-    const double z2 = z * z;
-    return log1p_nonnegative(z + z2 / (1.0 + std::sqrt(1.0 + z2)));
-}
-
 /// atan(u) / u for 0 <= u <= 1, from u^2, to 4e-14: the Chebyshev series in u^2 of degree 15.
 DRILLSTRAND_INLINE double arctangent_ratio(double u2) {
     constexpr double coefficient[] = {

@@ -58,7 +58,8 @@ DirectorModel::DirectorModel(const Scene& scene)
       kelvin_voigt(scene.damping.kelvin_voigt),
       down(scene.down),
       segments(static_cast<std::size_t>(scene.segments)) {
-    features.damped = internal_damping > 0 || external_damping > 0 || kelvin_voigt > 0;
+    if (internal_damping > 0 || external_damping > 0) features.damping = Damping::paper;
+    if (kelvin_voigt > 0) features.damping = Damping::kelvin_voigt;
     for (const SectionProperties& segment : scene.mesh.segment)
         features.curved = features.curved || !segment.curvature.isZero(0);
 }
@@ -86,7 +87,7 @@ DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
     return combine(1.0, v, -dot(v, unit), unit);
 }
 
-template <bool damped, bool curved>
+template <Damping damping, bool curved>
 DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const BlockTable& state,
                                           BlockTable& segments, std::size_t block, double drift) {
     const auto first = static_cast<std::ptrdiff_t>(block * block_size);
@@ -189,7 +190,7 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
             last_couple.set(k, combine(-1.0, on_last, 0.5 * h, turn_b));
             bending_moment = {0.0, 0.0, 0.0};
         }
-        if constexpr (damped) {
+        if constexpr (damping != Damping::none) {
             // rates of strain from velocities: g' = dv/h - w x D, k' = dw/h
             const Triple wa = combine(1.0, w_a[k], spin_a[k], ta);
             const Triple wb = combine(1.0, w_b[k], spin_b[k], tb);
@@ -197,20 +198,22 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
             const Triple g_rate =
                 combine(1.0, combine(ih, v_b[k], -ih, v_a[k]), -1.0, cross(mean, d));
             const Triple k_rate = combine(ih, wb, -ih, wa);
-            const double g_along = dot(g_rate, m);
-            const double stretching = kelvin_voigt * axial[k] * g_along;
-            const double shearing = kelvin_voigt * shear[k];
-            const double twisting = kelvin_voigt * torsion[k] * dot(k_rate, m);
-            const Triple along_both = combine(1.0, ta, 1.0, tb);
-            const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
-            viscous_pull.set(k, n_rate);
-            viscous_lean.set(k, combine(0.5 * h, cross(d, n_rate), 0.0, n_rate));
-            viscous_couple.set(k, combine(kelvin_voigt * bending[k], without(k_rate, m),
-                                          twisting * inverse_one, along_both));
-            viscous_torque[k] = twisting;
             const double half = 0.5 * h * internal_damping;
             drag_force.set(k, combine(half, g_rate, 0.0, g_rate));
             drag_couple.set(k, combine(half, k_rate, 0.0, k_rate));
+            if constexpr (damping == Damping::kelvin_voigt) {
+                const double g_along = dot(g_rate, m);
+                const double stretching = kelvin_voigt * axial[k] * g_along;
+                const double shearing = kelvin_voigt * shear[k];
+                const double twisting = kelvin_voigt * torsion[k] * dot(k_rate, m);
+                const Triple along_both = combine(1.0, ta, 1.0, tb);
+                const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
+                viscous_pull.set(k, n_rate);
+                viscous_lean.set(k, combine(0.5 * h, cross(d, n_rate), 0.0, n_rate));
+                viscous_couple.set(k, combine(kelvin_voigt * bending[k], without(k_rate, m),
+                                              twisting * inverse_one, along_both));
+                viscous_torque[k] = twisting;
+            }
         }
         const double t = torque * inverse_one;
         pull.set(k, n);
@@ -236,7 +239,7 @@ constexpr bool has_paper_law(Around around) {
     return around == Around::wall_paper_law || around == Around::wall_and_mud_paper_law;
 }
 
-template <Around around, bool damped, bool curved>
+template <Around around, Damping damping, bool curved>
 DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const BlockTable& state,
                                            BlockTable& next, const BlockTable& segments,
                                            Surroundings& surroundings, std::size_t block,
@@ -303,7 +306,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const double* reach = s_row(S::reach);
     const double* concentric_axial = s_row(S::concentric_axial);
     const double* pipe = s_row(S::pipe);
-    const double* damping = s_row(S::damping);
+    const double* dashpot = s_row(S::damping);
     double* elongation_axial = s_row(S::elongation_axial);
     double* elongation_azimuthal = s_row(S::elongation_azimuthal);
     double* sliding = s_row(S::sliding);
@@ -319,45 +322,45 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const double eccentric_axial = p.eccentric_axial_drag ? 1.0 : 0.0;
 
     // between the loops of a block in a well: velocities and the well frame
-    alignas(block_alignment) double hold[21][block_size];
+    alignas(block_alignment) double hold[18][block_size];
     const Rows v_held = {hold[0], hold[1], hold[2]};
     const Rows v_rod_held = {hold[3], hold[4], hold[5]};
-    const Rows w_held = {hold[6], hold[7], hold[8]};
-    const Rows r_held = {hold[9], hold[10], hold[11]};
-    const Rows l_held = {hold[12], hold[13], hold[14]};
-    double* s_held = hold[15];
-    double* s_rod_held = hold[16];
-    double* turning_work_held = hold[17];
-    double* u_r = hold[18];
-    double* u_l = hold[19];
-    double* u_t = hold[20];
-    alignas(block_alignment) double eccentricity[block_size];
+    const Rows r_held = {hold[6], hold[7], hold[8]};
+    const Rows l_held = {hold[9], hold[10], hold[11]};
+    double* s_held = hold[12];
+    double* s_rod_held = hold[13];
+    double* u_r = hold[14];
+    double* u_l = hold[15];
+    double* u_t = hold[16];
+    double* eccentricity = hold[17];
 
-    /// Velocities after all forces; poses follow them. The work of damping and surroundings is
-    /// theirs times the mean of the velocities of both half steps.
-    const auto finish = [&](std::size_t k, const Triple& v, const Triple& v_rod, const Triple& w,
-                            double s, double s_rod, double turning_work) DRILLSTRAND_LAMBDA {
+    /// Directors follow angular velocities: t turned by dt Om, exactly of unit length.
+    const auto turn = [&](std::size_t k, const Triple& w) DRILLSTRAND_LAMBDA {
         const Triple t = t_in[k];
-        const double work =
-            mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
-            polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s) + turning_work;
-        const double speed2 = dot(v, v) + dot(w, w) + s * s;
-        NodeStep done;
-        done.outflow = -mobile_cell[k] * work;
-        done.faults = mobile_cell[k] > 0.0 && !(speed2 < 1e20) ? 1.0 : 0.0;
-
-        // poses: x += dt v; t turned by dt Om, exactly of unit length
         const double q = 0.25 * drift * drift * dot(w, w);
         const double inverse_q = 1.0 / (1.0 + q);
-        const Triple moved = combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t));
+        w_out.set(k, w);
+        t_out.set(k, combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t)));
+        last_out.set(k, t);
+    };
+
+    /// Positions follow velocities after all forces: x += dt v. The work of damping and
+    /// surroundings is theirs times the mean of the velocities of both half steps.
+    const auto move = [&](std::size_t k, const Triple& v, const Triple& v_rod, double s,
+                          double s_rod) DRILLSTRAND_LAMBDA {
+        const double work =
+            mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
+            polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s);
+        NodeStep done;
+        done.outflow = -mobile_cell[k] * work;
+        done.faults = mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
         x_out.set(k, combine(1.0, x_in[k], drift, v));
         v_out.set(k, v);
-        t_out.set(k, moved);
-        w_out.set(k, w);
-        last_out.set(k, t);
         spin_out[k] = s;
         if constexpr (curved) {
             // d1 goes along with t by the shortest way, then turns about it by dt s
+            const Triple t = t_in[k];
+            const Triple moved = {t_out.x[k], t_out.y[k], t_out.z[k]};
             const Triple d1 = d1_in[k];
             const Triple sum = combine(1.0, t, 1.0, moved);
             const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
@@ -409,57 +412,59 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         const Triple v_rod = v;
         const double s_rod = s;
         double turning_work = 0.0;
-        if constexpr (damped) {
+        if constexpr (damping != Damping::none) {
             // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit
-            const Triple viscous = combine(ic, viscous_pull_after[k], -ic, viscous_pull_before[k]);
-            const Triple drag = combine(ic, drag_force_after[k], ic, drag_force_before[k]);
-            const Triple turn = combine(ic, drag_couple_after[k], ic, drag_couple_before[k]);
-            const Triple bending =
-                combine(ic, viscous_couple_after[k], -ic, viscous_couple_before[k]);
-            const Triple shearing = combine(ic, viscous_lean_after[k], ic, viscous_lean_before[k]);
-            const Triple resisting = combine(1.0, combine(1.0, bending, 1.0, shearing), -1.0, turn);
-            const double twisting = ic * (viscous_torque_after[k] - viscous_torque_before[k]);
             const Triple w_rod = w;
-            v = combine(1.0, v, to_velocity, combine(1.0, viscous, -1.0, drag));
+            const Triple dragged = combine(ic, drag_force_after[k], ic, drag_force_before[k]);
+            const Triple turned = combine(ic, drag_couple_after[k], ic, drag_couple_before[k]);
+            Triple resisting = combine(-1.0, turned, 0.0, turned);
+            Triple pulling = combine(-1.0, dragged, 0.0, dragged);
+            double twisting = -dot(turned, t);
+            if constexpr (damping == Damping::kelvin_voigt) {
+                const Triple bending =
+                    combine(ic, viscous_couple_after[k], -ic, viscous_couple_before[k]);
+                const Triple shearing =
+                    combine(ic, viscous_lean_after[k], ic, viscous_lean_before[k]);
+                resisting = combine(1.0, resisting, 1.0, combine(1.0, bending, 1.0, shearing));
+                pulling = combine(1.0, pulling, 1.0,
+                                  combine(ic, viscous_pull_after[k], -ic, viscous_pull_before[k]));
+                twisting += ic * (viscous_torque_after[k] - viscous_torque_before[k]);
+            }
+            v = combine(1.0, v, to_velocity, pulling);
             w = combine(1.0, w, to_turning, without(resisting, t));
-            s += to_spin * (twisting - dot(turn, t));
+            s += to_spin * twisting;
             v = combine(1.0 / (1.0 + to_velocity * external_damping), v, 0.0, v);
             w = combine(1.0 / (1.0 + to_turning * external_damping), w, 0.0, w);
             s *= 1.0 / (1.0 + to_spin * external_damping);
             turning_work =
                 transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, w_in[k], 0.5, w));
         }
+        turn(k, w);
+        NodeStep done;
         if constexpr (wall) {
             v_held.set(k, v);
-            v_rod_held.set(k, v_rod);
-            w_held.set(k, w);
             s_held[k] = s;
             s_rod_held[k] = s_rod;
-            turning_work_held[k] = turning_work;
-            return NodeStep{};
+            if constexpr (damping != Damping::none) v_rod_held.set(k, v_rod);
         } else {
-            return finish(k, v, v_rod, w, s, s_rod, turning_work);
+            done = move(k, v, v_rod, s, s_rod);
         }
+        done.outflow -= mobile_cell[k] * turning_work;
+        done.faults += mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
+        return done;
     };
 
-    NodeStep sum;
-    if constexpr (!wall) {
-        double outflow = 0.0;
-        double faults = 0.0;
+    double outflow = 0.0;
+    double faults = 0.0;
 #pragma omp simd reduction(+ : outflow, faults)
-        for (std::size_t k = 0; k < block_size; ++k) {
-            const NodeStep done = predict(k);
-            outflow += done.outflow;
-            faults += done.faults;
-        }
-        sum.outflow = outflow;
-        sum.faults = faults;
-        return sum;
+    for (std::size_t k = 0; k < block_size; ++k) {
+        const NodeStep done = predict(k);
+        outflow += done.outflow;
+        faults += done.faults;
+    }
+    if constexpr (!wall) {
+        return {outflow, 0.0, 0.0, 0.0, faults};
     } else {
-#pragma omp simd
-        for (std::size_t k = 0; k < block_size; ++k)
-            predict(k);
-
         /// Where the node is in the well, and how it moves there.
         struct Place {
             double leaves, touches, touched, impact;
@@ -502,7 +507,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
             const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
             const double dr = depth[k];
-            const double normal = implicit_normal_force(dr, u.r, normal_stiffness, damping[k],
+            const double normal = implicit_normal_force(dr, u.r, normal_stiffness, dashpot[k],
                                                         least_normal, kick, mobility);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};
@@ -552,16 +557,18 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         }
 
         const auto leave = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            // the velocity normal to r, l and t is none: v is what it is along them
-            const Triple r = {hold[9][k], hold[10][k], hold[11][k]};
-            const Triple l = {hold[12][k], hold[13][k], hold[14][k]};
-            const Triple v = combine(1.0, combine(u_r[k], r, u_l[k], l), u_t[k], cross(r, l));
-            const Triple v_rod = {hold[3][k], hold[4][k], hold[5][k]};
-            const Triple w = {hold[6][k], hold[7][k], hold[8][k]};
-            return finish(k, v, v_rod, w, s_held[k], s_rod_held[k], turning_work_held[k]);
+            // changes along r, l and t, on the velocity before them
+            const Triple r = {hold[6][k], hold[7][k], hold[8][k]};
+            const Triple l = {hold[9][k], hold[10][k], hold[11][k]};
+            const Triple t = cross(r, l);
+            const Triple before = {hold[0][k], hold[1][k], hold[2][k]};
+            Triple v = combine(1.0, before, u_r[k] - dot(before, r), r);
+            v = combine(1.0, v, u_l[k] - dot(before, l), l);
+            v = combine(1.0, v, u_t[k] - dot(before, t), t);
+            Triple v_rod = before;
+            if constexpr (damping != Damping::none) v_rod = {hold[3][k], hold[4][k], hold[5][k]};
+            return move(k, v, v_rod, s_held[k], s_rod_held[k]);
         };
-        double outflow = 0.0;
-        double faults = 0.0;
 #pragma omp simd reduction(+ : outflow, faults)
         for (std::size_t k = 0; k < block_size; ++k) {
             const NodeStep done = leave(k);
@@ -577,19 +584,37 @@ using SegmentKernel = void (*)(const DirectorModel&, const BlockTable&, BlockTab
 using NodeKernel = NodeStep (*)(const DirectorModel&, const BlockTable&, BlockTable&,
                                 const BlockTable&, Surroundings&, std::size_t, double, double);
 
+template <Damping damping>
+SegmentKernel segment_kernel_damped(bool curved) {
+    return curved ? segments_of_block<damping, true> : segments_of_block<damping, false>;
+}
+
 SegmentKernel segment_kernel(const DirectorFeatures& features) {
-    if (features.damped)
-        return features.curved ? segments_of_block<true, true> : segments_of_block<true, false>;
-    return features.curved ? segments_of_block<false, true> : segments_of_block<false, false>;
+    switch (features.damping) {
+        case Damping::none:
+            return segment_kernel_damped<Damping::none>(features.curved);
+        case Damping::paper:
+            return segment_kernel_damped<Damping::paper>(features.curved);
+        default:
+            return segment_kernel_damped<Damping::kelvin_voigt>(features.curved);
+    }
+}
+
+template <Around around, Damping damping>
+NodeKernel node_kernel_damped(bool curved) {
+    return curved ? nodes_of_block<around, damping, true> : nodes_of_block<around, damping, false>;
 }
 
 template <Around around>
 NodeKernel node_kernel_around(const DirectorFeatures& features) {
-    if (features.damped)
-        return features.curved ? nodes_of_block<around, true, true>
-                               : nodes_of_block<around, true, false>;
-    return features.curved ? nodes_of_block<around, false, true>
-                           : nodes_of_block<around, false, false>;
+    switch (features.damping) {
+        case Damping::none:
+            return node_kernel_damped<around, Damping::none>(features.curved);
+        case Damping::paper:
+            return node_kernel_damped<around, Damping::paper>(features.curved);
+        default:
+            return node_kernel_damped<around, Damping::kelvin_voigt>(features.curved);
+    }
 }
 
 NodeKernel node_kernel(const DirectorModel& model, const SurroundingsParameters& p) {

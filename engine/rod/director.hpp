@@ -81,9 +81,12 @@ struct SegmentRow {
     };
 };
 
+/// Damping of the rod: none, the paper's D_in and D_ex, or these and Kelvin-Voigt.
+enum class Damping { none, paper, kelvin_voigt };
+
 /// Which parts of the rod's kernels a scene needs.
 struct DirectorFeatures {
-    bool damped = false;  ///< D_in, D_ex or Kelvin-Voigt
+    Damping damping = Damping::none;
     bool curved = false;  ///< a stress-free shape that is not straight
 };
 
