@@ -44,14 +44,9 @@ DRILLSTRAND_INLINE DragCoefficients drag_coefficients(double eccentricity, doubl
                               (1.0 + d2 * (1.0 / 54.0) *
                                          (1.0 + d2 * (1.0 / 88.0) * (1.0 + d2 * (1.0 / 130.0))))));
     const double phi = d < 0.5 ? series : d * cosh_d - sinh_d;
-    // one division for the four
-    const double den = q * phi + e2 * d;
-    const double inverse = 1.0 / (den * phi * (d * sinh_d));
-    const double scale = 4.0 * pi * inverse * phi * (d * sinh_d);
-    return {4.0 * pi * cosh_d * (inverse * den * (d * sinh_d)),
-            2.0 * pi * (inverse * den * phi * sinh_d), scale * (pipe2 + hole2),
-            -scale * pipe2 * eccentricity,
-            scale * pipe2 * (hole2 * phi * (inverse * den * phi * d) + e2)};
+    const double scale = 4.0 * pi / (q * phi + e2 * d);
+    return {4.0 * pi * cosh_d / phi, 2.0 * pi / d, scale * (pipe2 + hole2),
+            -scale * pipe2 * eccentricity, scale * pipe2 * (hole2 * phi / sinh_d + e2)};
 }
 
 /// Axial drag coefficient of concentric cylinders, the paper's choice.

@@ -60,13 +60,11 @@ DRILLSTRAND_INLINE WellFrame well_frame(const Triple& x, const ArcNumbers& arc) 
     const double e = dot(from_start, arc.normal);
     const double q = 1.0 - e * c;
     const double radius = std::sqrt(a * a * c * c + q * q);
-    // one division for 1 / radius and 1 / (radius + 1)
-    const double both = 1.0 / (radius * (radius + 1.0));
-    const double inverse = both * (radius + 1.0);
+    const double inverse = 1.0 / radius;
     const Triple l = combine(q * inverse, arc.tangent, a * c * inverse, arc.normal);
     const Triple inward = combine(q * inverse, arc.normal, -a * c * inverse, arc.tangent);
 
-    const double axis_normal = inverse * (e + (c * (a * a + e * e) - 2.0 * e) * (both * radius));
+    const double axis_normal = inverse * (e + (c * (a * a + e * e) - 2.0 * e) / (radius + 1.0));
     const Triple axis = combine(inverse * a, arc.tangent, axis_normal, arc.normal);
     const Triple to_axis = combine(1.0, axis, -1.0, from_start);
     const double eccentricity = std::sqrt(dot(to_axis, to_axis));
