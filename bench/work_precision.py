@@ -7,7 +7,6 @@ other formulation. bench/README.md says how, and how times are compared at equal
 """
 
 import argparse
-import csv
 import json
 import math
 import os
@@ -99,7 +98,7 @@ SWING_TIP = {0.5: (23.931912919, -1.724811036), 1: (23.118682909, -6.077534366),
              3: (22.855870743, -6.869061354), 4: (23.999496493, 0.018200712)}
 
 
-def swing_reference(time, _settings):
+def swing_reference(time):
     """The tip of the undamped cantilever along and up: discontinuous Galerkin spectral elements,
     converged to about seven digits."""
     rows = np.full((len(time), 2, QUANTITIES), np.nan)
@@ -114,7 +113,7 @@ HANGING = {"length": 1000.0, "outer": 0.14, "inner": 0.12, "density": 31.8557, "
            "gravity": 9.81, "spin_up": 0.5, "rate": 2 * math.pi}
 
 
-def hanging_reference(time, _settings):
+def hanging_reference(time):
     """Waves in a straight rod that hangs from a turning head: d'Alembert's solution with all
     reflections. The weight acts from t = 0 on; the head's rotation rises linearly."""
     p = HANGING
@@ -328,13 +327,12 @@ def references_of(bench, motion, factor):
     """{method: (rows, what they are)}: what a method's error is measured against, and the distance
     between the two references where both are runs."""
     if motion.reference:
-        probe = None
         settings = bench.settings(motion)
         text = motion.text or (measure.ROOT / "cases" / motion.case).read_text(encoding="utf-8")
         duration = settings.get("run.duration", number_in(text, "duration"))
         interval = settings.get("output.interval", number_in(text, "interval"))
         time = [i * interval for i in range(round(duration / interval) + 1)]
-        exact = motion.reference(time, probe)
+        exact = motion.reference(time)
         word = "independent solution" if motion.key == "cantilever" else "exact"
         return {method: (exact, word) for method in ("leapfrog", "dormand-prince", "arkode")}, 0.0
 
@@ -551,7 +549,7 @@ def family(row):
 
 def draw(motion, rows, clock, path, conditions):
     """Time against error of one motion, a line per variant through its meshes."""
-    picture, panel = measure.figure(7, 5.2)
+    picture, panel = measure.figure(7, 5.8)
     done = [row for row in rows if not row["failure"]]
     seen = set()
     for variant in dict.fromkeys(row["variant"] for row in done):
@@ -576,13 +574,13 @@ def draw(motion, rows, clock, path, conditions):
     panel.set_title(f"{motion.title}\nnumbers: segments; thin lines: other steps and tolerances",
                     fontsize=9)
     measure.legend_below(panel)
-    picture.text(0.01, 0.005, conditions, fontsize=6, color="grey")
+    picture.supxlabel(conditions, fontsize=6, color="grey")
     measure.save(picture, path)
 
 
 # ---------------------------------------------------------------- all of it
 
-def write_readme(options, facts, motions, rows, clock):
+def write_readme(options, facts, motions, rows, clock, pictures):
     """The table of README.md."""
     lines, median = summary(motions, rows, clock)
     kind = "Trial (short windows, coarse references). " if options.quick else ""
@@ -594,7 +592,10 @@ def write_readme(options, facts, motions, rows, clock):
         "Runge-Kutta) runs with several tolerances; the number is the median of its best runs. "
         f"Median over the motions of dormand-prince over leapfrog: {as_text(median)}. "
         f"Times: {clock.removesuffix(' (s)')} time.")
-    measure.fill_readme("work-precision", facts, introduction, measure.markdown(lines))
+    links = ", ".join(f"[{motion.title}]({pictures[motion.key].relative_to(measure.ROOT)})"
+                      for motion in motions)
+    measure.fill_readme("work-precision", facts, introduction, measure.markdown(lines),
+                        f"Pictures, time against error: {links}.")
 
 
 def has_arkode(build):
@@ -606,19 +607,7 @@ def has_arkode(build):
 
 def choose_clock():
     """Wall time on a machine that does nothing else; processor time where others work."""
-    return "wall (s)" if os.getloadavg()[0] < 0.5 else "processor (s)"
-
-
-def redraw(folder):
-    """Rows of an earlier run."""
-    with open(folder / "work_precision.csv", encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    for row in rows:
-        row["segments"] = int(row["segments"])
-        row["segment_inertia"] = row["segment_inertia"] == "True"
-        for key in ("wall (s)", "processor (s)", "error", "references differ by"):
-            row[key] = float(row[key]) if row[key] else 0.0
-    return rows
+    return "wall (s)" if os.getloadavg()[0] < measure.IDLE else "processor (s)"
 
 
 def main():
@@ -650,18 +639,21 @@ def main():
     conditions = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program",
                                                                     "windows"))
     rows = []
+    pictures = {}
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(options, scratch)
         for motion in motions:
             own = study(bench, motion)
             rows += own
-            draw(motion, own, clock, folder / f"{stem}_{motion.key}.png", conditions)
-            measure.write_csv(folder / f"{stem}.csv", facts, rows)
+            pictures[motion.key] = folder / f"{stem}_{motion.key}.png"
+            draw(motion, own, clock, pictures[motion.key], conditions)
+            measure.write_csv(folder / f"{stem}.csv", list(facts), rows)
+    measure.write_csv(folder / f"{stem}.csv", facts, rows)
     lines, median = summary(motions, rows, clock)
     print(measure.markdown(lines))
     print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}")
     if options.readme:
-        write_readme(options, facts, motions, rows, clock)
+        write_readme(options, facts, motions, rows, clock, pictures)
 
 
 if __name__ == "__main__":
