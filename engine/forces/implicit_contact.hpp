@@ -74,7 +74,7 @@ DRILLSTRAND_INLINE Tangential return_to_cone(const Tangential& b, const Tangenti
     const double f_l = w_l * (a.azimuthal + lambda);
     const double f_t = w_t * (a.axial + lambda);
     const double reached2 = f_l * f_l + f_t * f_t;
-    const double onto = (normal > 0.0 ? normal : 0.0) / std::sqrt(reached2 > 0.0 ? reached2 : 1.0);
+    const double onto = pressing_force(normal) / std::sqrt(reached2 > 0.0 ? reached2 : 1.0);
     return {f_l * p.slide.axial * onto, f_t * p.slide.azimuthal * onto};
 }
 
@@ -93,8 +93,9 @@ DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const
     const double inverse = 1.0 / (a.axial * a.azimuthal);
     const Tangential stick = scaled_where_rough({b.axial * a.azimuthal, b.azimuthal * a.axial},
                                                 p.slide_inverse, inverse);
-    const bool slides = friction_demand2(stick, limit) > normal * normal;
-    const Tangential slip = return_to_cone(b, a, p, normal);
+    const double pressing = pressing_force(normal);
+    const bool slides = friction_demand2(stick, limit) > pressing * pressing;
+    const Tangential slip = return_to_cone(b, a, p, pressing);
     const bool touches = penetration > 0.0;
     const double f_l = touches ? (slides ? slip.axial : stick.axial) : 0.0;
     const double f_t = touches ? (slides ? slip.azimuthal : stick.azimuthal) : 0.0;

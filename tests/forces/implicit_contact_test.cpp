@@ -295,6 +295,18 @@ TEST(CoulombStep, LeavesASpringThatSticksOrAPointThatSlidesAlongItsForce) {
     EXPECT_LT(sliding, 15000);
 }
 
+TEST(CoulombStep, OnAWallThatPullsDoesNotRub) {
+    Dice dice(18);
+    for (int trial = 0; trial < 1000; ++trial) {
+        Touch t = random_touch(dice);
+        t.normal *= -1;
+        const FrictionStep done = step_of(t);
+        EXPECT_EQ(done.force.axial, 0);
+        EXPECT_EQ(done.force.azimuthal, 0);
+        EXPECT_EQ(done.spring.sliding, 1);
+    }
+}
+
 TEST(CoulombStep, InTheOpenHoleForgetsTheSpring) {
     Dice dice(12);
     Touch t = random_touch(dice);
