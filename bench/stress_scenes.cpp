@@ -266,7 +266,6 @@ void draw_loads(Draw& draw, Case& input) {
     if (draw.chance(0.1)) {
         const double kick = draw.uniform(0, 5e3);
         input.head.motion = HeadMotion::free;
-        input.head.force = ramp(0, 0.5, 1);  // scaled below
         const double pull = hanging_weight(input);
         const SurveyStation& top = input.well->survey.front();
         const Eigen::Vector3d down(std::sin(top.inclination) * std::cos(top.azimuth),

@@ -23,7 +23,7 @@ InitialCase read_initial(const Table& root) {
 RunCase read_run(const Table& root) {
     const Value value = root.require("run", "a table with duration");
     const Table table(value, {"duration", "integrator", "cfl", "absolute_tolerance",
-                              "relative_tolerance", "threads"});
+                              "relative_tolerance", "stress_limit", "threads"});
     RunCase run;
     run.duration = table.require("duration", "a time such as 200 or \"5 min\"")
                        .quantity(dimension::time, positive);
@@ -32,6 +32,7 @@ RunCase read_run(const Table& root) {
                                      {{"dormand-prince", IntegratorKind::dormand_prince},
                                       {"leapfrog", IntegratorKind::leapfrog}});
     run.cfl = table.number("cfl", run.cfl, {.low = 0, .high = 1, .low_open = true});
+    run.stress_limit = table.number("stress_limit", run.stress_limit, not_negative);
     run.absolute_tolerance = table.number("absolute_tolerance", run.absolute_tolerance, positive);
     run.relative_tolerance = table.number("relative_tolerance", run.relative_tolerance, positive);
     if (const std::optional<Value> threads = table.find("threads")) {

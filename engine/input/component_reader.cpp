@@ -52,8 +52,8 @@ class TableSource : public ComponentSource {
   public:
     explicit TableSource(const Value& value)
         : table_(value, {"name", "length", "outer_diameter", "inner_diameter", "linear_density",
-                         "density", "youngs_modulus", "poisson_ratio", "curvature",
-                         "bending_stiffness", "torsional_stiffness", "axial_stiffness",
+                         "density", "youngs_modulus", "poisson_ratio", "yield_strength",
+                         "curvature", "bending_stiffness", "torsional_stiffness", "axial_stiffness",
                          "shear_stiffness", "inertia", "polar_inertia"}) {}
 
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
@@ -88,7 +88,7 @@ class TableSource : public ComponentSource {
     Table table_;
 };
 
-constexpr std::array<std::string_view, 17> columns{"name",
+constexpr std::array<std::string_view, 18> columns{"name",
                                                    "length",
                                                    "outer_diameter",
                                                    "inner_diameter",
@@ -96,6 +96,7 @@ constexpr std::array<std::string_view, 17> columns{"name",
                                                    "density",
                                                    "youngs_modulus",
                                                    "poisson_ratio",
+                                                   "yield_strength",
                                                    "curvature_twist",
                                                    "curvature_bend1",
                                                    "curvature_bend2",
@@ -262,6 +263,8 @@ PlacedComponent read_component(const ComponentSource& source) {
     component.youngs_modulus = read_youngs_modulus(source, component);
     component.poisson_ratio =
         source.number("poisson_ratio", poisson_range).value_or(component.poisson_ratio);
+    component.yield_strength = source.quantity("yield_strength", dimension::pressure, positive)
+                                   .value_or(component.yield_strength);
     component.curvature = source.curvature();
     return {component, source.where("outer_diameter")};
 }

@@ -109,6 +109,7 @@ DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, i
         power.assign(blocks, 0.0);
     block_error_.assign(blocks, 0.0);
     block_outflow_.assign(blocks, 0.0);
+    block_events_.resize(blocks);
 
     // at rest but for the head, with the stresses of the initial strains
     for (std::size_t k = 0; k + 1 < nodes; ++k) {
@@ -150,6 +151,8 @@ DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, i
         worker.head_rate = workers_.front().head_rate;
         worker.statistics = workers_.front().statistics;
     }
+    for (std::size_t block = 0; block < blocks; ++block)
+        count_events(block);
     const std::vector<Pose> pose = poses();
     initial_potential_ = potential_energy(pose);
     for (std::size_t k = 0; k < nodes; ++k) {
@@ -359,6 +362,7 @@ void DormandPrince::accept(Worker& worker, double step) {
 
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
         if (surroundings_.changes(block)) follow_surroundings(worker, block, step);
+        count_events(block);
     }
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
         block_power_[0][block] = work_.power[block];
@@ -383,6 +387,21 @@ void DormandPrince::follow_surroundings(Worker& worker, std::size_t block, doubl
     node_pass(model_, *worker.trial, rate, work_, worker.block_start, surroundings_, block,
               block + 1);
     if (block == 0) hold_head(rate);
+}
+
+void DormandPrince::count_events(std::size_t block) {
+    if (surroundings_.empty()) return;
+    ContactEvents& events = block_events_[block];
+    const double* depth = surroundings_.row(Surroundings::depth) + block * block_size;
+    const double* sliding = surroundings_.row(Surroundings::sliding) + block * block_size;
+    for (std::size_t k = 0; k < block_size; ++k) {
+        const bool touches = depth[k] > 0;
+        const bool slides = sliding[k] > 0;
+        events.impacts += touches && !events.touches[k] ? 1 : 0;
+        events.slips += slides && !events.slides[k] ? 1 : 0;
+        events.touches[k] = touches;
+        events.slides[k] = slides;
+    }
 }
 
 bool DormandPrince::owns_bit(const Worker& worker) const {
@@ -482,6 +501,12 @@ SeriesRecord DormandPrince::series() const {
         record.max_penetration = std::max(record.max_penetration, c.penetration);
         spring_energy += scene_.mesh.cell[k] * c.spring_energy;
     }
+    for (const ContactEvents& events : block_events_) {
+        record.impacts += events.impacts;
+        record.slips += events.slips;
+    }
+    // who came and is not there has left
+    record.contact_changes = 2 * record.impacts - record.contact_nodes;
     record.time = time_;
     record.head_stress = stress_of(*state_, 0);
     record.bit_stress = stress_of(*state_, last - 1);

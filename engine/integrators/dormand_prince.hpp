@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ class DormandPrince final : public Integrator {
     [[nodiscard]] double error_estimate(const Worker& worker, double step);
     void accept(Worker& worker, double step);
     void follow_surroundings(Worker& worker, std::size_t block, double step);
+    void count_events(std::size_t block);
 
     void share_blocks(Worker& worker, std::size_t thread, std::size_t threads) const;
     void prescribe_head(BlockTable& state, double time) const;
@@ -89,6 +91,15 @@ class DormandPrince final : public Integrator {
     std::array<std::vector<double>, stages> block_power_;  ///< of the surroundings on the rod (W)
     std::array<double, stages> head_power_{};              ///< of the head on the rod (W)
     std::array<double, stages> bit_power_{};               ///< of the bit on the rod (W)
+    /// What happened at the nodes of a block since the start, and how they were after the last
+    /// step.
+    struct ContactEvents {
+        std::int64_t impacts = 0;
+        std::int64_t slips = 0;
+        std::array<bool, block_size> touches{};
+        std::array<bool, block_size> slides{};
+    };
+    std::vector<ContactEvents> block_events_;
     std::vector<double> block_outflow_;  ///< per block, energy given to the surroundings (J)
     double head_work_ = 0;               ///< J
     double bit_work_ = 0;                ///< J

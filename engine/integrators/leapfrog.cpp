@@ -27,6 +27,8 @@ void write(BlockTable& table, std::size_t row, std::ptrdiff_t k, const Eigen::Ve
         table.row(row + i)[k] = v[static_cast<Eigen::Index>(i)];
 }
 
+constexpr std::int64_t steps_between_guards = 16;
+
 /// Force and couple of the outside on an end of the rod, as the segment beyond it would exert them.
 void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vector3d& pull,
                     const Eigen::Vector3d& couple, const Eigen::Vector3d& director) {
@@ -49,9 +51,10 @@ Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
 
 }  // namespace
 
-Leapfrog::Leapfrog(const Scene& scene, double cfl, int threads)
+Leapfrog::Leapfrog(const Scene& scene, double cfl, double stress_limit, int threads)
     : scene_(scene),
       model_(scene),
+      guards_(scene, model_, stress_limit),
       surroundings_(scene, scene.initial_nodes.position),
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
       blocks_(blocks_for(model_.segments + 1)),
@@ -112,7 +115,6 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
         run(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(threads), dt,
             steps);
     }
-    if (fault_) throw SimulationError(describe_fault());
     // twist is state: every worker gets all of it
     double* whole = workers_.front().segments.row(SegmentRow::twist);
     for (const Worker& worker : workers_) {
@@ -124,6 +126,7 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
         double* own = worker.segments.row(SegmentRow::twist);
         if (own != whole) std::copy(whole, whole + blocks_ * block_size, own);
     }
+    if (fault_step_ != no_fault) fail(dt);
     current_ = (current_ + static_cast<std::size_t>(steps)) % 2;
     time_ = steps == needed ? end : time_ + static_cast<double>(steps) * dt;
     last_drift_ = dt;
@@ -142,9 +145,13 @@ void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int6
     std::size_t current = current_;
     Step step{time_, last_drift_, dt, 0.5 * (last_drift_ + dt)};
     for (std::int64_t i = 0; i < steps; ++i) {
-        step_blocks(worker, surroundings_, states_[current], states_[1 - current], step);
+        bool sound =
+            step_blocks(worker, surroundings_, states_[current], states_[1 - current], step);
+        if ((statistics_.steps + i) % steps_between_guards == 0)
+            sound = keep_guard(worker, states_[current], step.time) && sound;
+        if (!sound) fault_step_.store(i, std::memory_order_relaxed);
         barrier_.wait();
-        if (fault_.load(std::memory_order_relaxed)) break;
+        if (fault_step_.load(std::memory_order_relaxed) <= i) break;
         current = 1 - current;
         step.time = time_ + static_cast<double>(i + 1) * dt;
         step.last_drift = dt;
@@ -154,9 +161,11 @@ void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int6
 }
 
 /// One step of a worker's blocks: forces at the whole step, velocities and poses to the next.
-void Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+/// Whether all velocities are numbers.
+bool Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
                            BlockTable& next, const Step& step) {
     BlockTable& segments = worker.segments;
+    bool sound = true;
     if (worker.begin > 0)
         director_segments(model_, state, segments, worker.begin - 1, step.last_drift);
     if (worker.begin == 0) load_head(segments, state, step.time);
@@ -172,10 +181,33 @@ void Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const Blo
             surroundings.refresh_arcs(
                 block, [&](std::size_t node) { return read(state, position, node); });
         }
-        if (done.faults > 0) fault_.store(true, std::memory_order_relaxed);
+        if (done.faults > 0) sound = false;
     }
     if (worker.begin == 0) finish_head(segments, state, next, step);
     if (worker.end == blocks_ && worker.begin < blocks_) finish_bit(segments, state, next, step);
+    return sound;
+}
+
+/// Reads the guards of a worker's segments, whose stresses are those of `state`; false where the
+/// run has to stop.
+bool Leapfrog::keep_guard(Worker& worker, const BlockTable& state, double time) const {
+    bool passes = true;
+    for (std::size_t block = worker.begin; block < worker.end; ++block) {
+        const GuardReading reading = guards_.read(state, worker.segments, block);
+        guards_.follow(worker.coarsest, reading, state, worker.segments, block, time);
+        if (guards_.stops(reading)) passes = false;
+    }
+    return passes;
+}
+
+std::vector<std::string> Leapfrog::warnings() const {
+    CoarsestSegment coarsest;
+    for (const Worker& worker : workers_) {
+        if (worker.coarsest.coarseness > coarsest.coarseness) coarsest = worker.coarsest;
+    }
+    std::vector<std::string> result;
+    if (const auto sentence = guards_.warn(coarsest)) result.push_back(*sentence);
+    return result;
 }
 
 /// What acts on a free head.
@@ -314,14 +346,17 @@ Vector6 Leapfrog::stress(std::size_t k, const BlockTable& state, const BlockTabl
 /// The state at the whole step: half a kick on copies, and no drift.
 Leapfrog::Snapshot Leapfrog::snapshot() const {
     const BlockTable& state = states_[current_];
-    Snapshot at{state, workers_.front().segments, surroundings_, {}, {}};
+    Snapshot at{state, workers_.front().segments, surroundings_, {}, {}, 0, 0};
     for (std::size_t block = 0; block < blocks_; ++block)
         director_segments(model_, state, at.segments, block, last_drift_);
     load_head(at.segments, state, time_);
     load_bit(at.segments, state, time_);
-    for (std::size_t block = 0; block < blocks_; ++block)
-        director_nodes(model_, state, at.state, at.segments, at.surroundings, block,
-                       0.5 * last_drift_, 0.0);
+    for (std::size_t block = 0; block < blocks_; ++block) {
+        const NodeStep done = director_nodes(model_, state, at.state, at.segments, at.surroundings,
+                                             block, 0.5 * last_drift_, 0.0);
+        at.impacts += done.impacts;
+        at.slips += done.slips;
+    }
     if (scene_.head.motion == HeadMotion::driven) {
         write(at.state, velocity, 0, Eigen::Vector3d::Zero());
         write(at.state, angular_velocity, 0, Eigen::Vector3d::Zero());
@@ -377,8 +412,17 @@ SeriesRecord Leapfrog::series() const {
     if (scene_.head.motion == HeadMotion::driven)
         energy.work += node_kinetic_energy(at.state, 0) - initial_head_energy_;
     energy.dissipation = initial_spring_energy_ - spring_energy;
-    for (const Worker& worker : workers_)
+    double impacts = at.impacts;
+    double slips = at.slips;
+    for (const Worker& worker : workers_) {
         energy.dissipation += worker.outflow;
+        impacts += worker.impacts;
+        slips += worker.slips;
+    }
+    record.impacts = std::llround(impacts);
+    record.slips = std::llround(slips);
+    // who came and is not there has left
+    record.contact_changes = 2 * record.impacts - record.contact_nodes;
     record.time = time_;
     record.head_stress = at.stress.front();
     record.bit_stress = at.stress.back();
@@ -415,17 +459,28 @@ Profile Leapfrog::profile() const {
     return profile;
 }
 
-std::string Leapfrog::describe_fault() const {
+/// Throws for the step at which a worker found that the run cannot go on: a physical guard where
+/// one applies to the state before that step.
+void Leapfrog::fail(double dt) const {
+    const std::int64_t step = fault_step_;
+    const double time = time_ + static_cast<double>(step) * dt;
+    const BlockTable& state = states_[(current_ + static_cast<std::size_t>(step)) % 2];
+    if (const auto guard = guards_.describe(state, workers_.front().segments, time))
+        throw GuardError(*guard);
+    throw SimulationError(describe_divergence(time));
+}
+
+std::string Leapfrog::describe_divergence(double time) const {
     for (const BlockTable& state : states_) {
         for (std::size_t k = 0; k <= model_.segments; ++k) {
             const Eigen::Vector3d v = read(state, velocity, k);
             if (v.allFinite() && v.squaredNorm() < 1e20) continue;
             return fmt::format(
                 "the solution diverged near node {}, {:.1f} m along the string, at t = {:.6f} s", k,
-                scene_.mesh.node_s[k], time_);
+                scene_.mesh.node_s[k], time);
         }
     }
-    return fmt::format("the solution diverged at t = {:.6f} s", time_);
+    return fmt::format("the solution diverged at t = {:.6f} s", time);
 }
 
 }  // namespace drillstrand

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "drillstrand/simulation.hpp"
 #include "forces/surroundings.hpp"
+#include "integrators/guards.hpp"
 #include "numerics/barrier.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/director.hpp"
@@ -17,13 +20,15 @@ namespace drillstrand {
 
 class Leapfrog final : public Integrator {
   public:
-    Leapfrog(const Scene& scene, double cfl, int threads);
+    /// `stress_limit`: as in IntegratorOptions.
+    Leapfrog(const Scene& scene, double cfl, double stress_limit, int threads);
 
     void advance(double end, std::int64_t max_steps) override;
     [[nodiscard]] double time() const override { return time_; }
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
     [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+    [[nodiscard]] std::vector<std::string> warnings() const override;
 
   private:
     /// A thread's share of the work. Each thread keeps its own segments, the block before its first
@@ -35,6 +40,7 @@ class Leapfrog final : public Integrator {
         double outflow = 0;  ///< energy given to surroundings and damping (J)
         double impacts = 0;
         double slips = 0;
+        CoarsestSegment coarsest;
     };
 
     /// One step: velocities from t - dt/2 to t + dt/2, poses from t to t + dt.
@@ -52,8 +58,10 @@ class Leapfrog final : public Integrator {
     };
 
     void run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps);
-    void step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+    bool step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
                      BlockTable& next, const Step& step);
+    [[nodiscard]] bool keep_guard(Worker& worker, const BlockTable& state, double time) const;
+    [[noreturn]] void fail(double dt) const;
     void load_head(BlockTable& segments, const BlockTable& state, double time) const;
     void load_bit(BlockTable& segments, const BlockTable& state, double time) const;
     void finish_head(const BlockTable& segments, const BlockTable& state, BlockTable& next,
@@ -70,6 +78,8 @@ class Leapfrog final : public Integrator {
         Surroundings surroundings;
         std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
         std::vector<Vector6> stress;         ///< N
+        double impacts;                      ///< in the step that begins here
+        double slips;
     };
     [[nodiscard]] Snapshot snapshot() const;
     [[nodiscard]] std::vector<Eigen::Matrix3d> material_frames(const BlockTable& state,
@@ -80,10 +90,11 @@ class Leapfrog final : public Integrator {
     [[nodiscard]] double node_kinetic_energy(const BlockTable& state, std::size_t node) const;
     [[nodiscard]] double potential_energy(const BlockTable& state) const;
     [[nodiscard]] double elastic_energy(const std::vector<Vector6>& stress) const;
-    [[nodiscard]] std::string describe_fault() const;
+    [[nodiscard]] std::string describe_divergence(double time) const;
 
     const Scene& scene_;
     DirectorModel model_;
+    Guards guards_;
     Surroundings surroundings_;
     double bound_;  ///< cfl times the stability bound (s)
     std::size_t blocks_;
@@ -93,7 +104,10 @@ class Leapfrog final : public Integrator {
     EndFrame head_frame_;
     EndFrame bit_frame_;
     Barrier barrier_;
-    std::atomic<bool> fault_{false};
+    /// The step of this advance() that failed. Workers compare it with their own: one that is a
+    /// step ahead must not stop those who still finish the step before.
+    static constexpr std::int64_t no_fault = std::numeric_limits<std::int64_t>::max();
+    std::atomic<std::int64_t> fault_step_{no_fault};
 
     double time_ = 0;
     double last_drift_ = 0;

@@ -31,6 +31,12 @@ SectionProperties section_properties(const Component& component, double shear_co
     section.outer_area = pi / 4 * outer2;
     section.outer_radius = component.outer_diameter / 2;
     section.curvature = component.curvature;
+    if (section.outer_radius > 0) {
+        const double section_modulus = area * gyration2 / section.outer_radius;
+        section.yield = {component.yield_strength * area,
+                         component.yield_strength * section_modulus,
+                         component.yield_strength * 2 * section_modulus / std::numbers::sqrt3};
+    }
     return section;
 }
 
@@ -56,6 +62,8 @@ constexpr std::array stiffnesses{
     &SectionProperties::axial_stiffness, &SectionProperties::shear_stiffness,
     &SectionProperties::bending_stiffness, &SectionProperties::torsional_stiffness};
 
+constexpr std::array yield_loads{&YieldLoads::axial, &YieldLoads::bending, &YieldLoads::torsion};
+
 /// Running mean. Equal values give exactly that value, whatever their weights.
 template <typename Value>
 void add_to_mean(Value& mean, const Value& value, double share) {
@@ -63,8 +71,8 @@ void add_to_mean(Value& mean, const Value& value, double share) {
 }
 
 /// Means over a stretch of string: arithmetic for what adds up along it (mass, area, stress-free
-/// curvature), harmonic for stiffnesses, whose compliances add up. The radius is left out: it is a
-/// property of a point.
+/// curvature), harmonic for stiffnesses, whose compliances add up, the least of yield loads. The
+/// radius is left out: it is a property of a point.
 SectionProperties mean_over(const Stretches& stretches, double from, double to) {
     // Compliances are counted relative to the first stiffness met, so that no digit is lost where
     // all are equal.
@@ -86,6 +94,8 @@ SectionProperties mean_over(const Stretches& stretches, double from, double to) 
         add_to_mean(mean.metal_area, part.metal_area, share);
         add_to_mean(mean.outer_area, part.outer_area, share);
         add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
+        for (const auto load : yield_loads)
+            mean.yield.*load = std::min(mean.yield.*load, part.yield.*load);
         for (const auto stiffness : stiffnesses)
             add_to_mean(compliance.*stiffness, first->*stiffness / part.*stiffness, share);
     }

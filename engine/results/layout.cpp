@@ -135,6 +135,14 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::max_penetration>("/series/max_penetration", "m",
                                     "largest penetration of the pipe into the wall"),
         series<&R::contact_nodes>("/series/contact_nodes", "1", "number of nodes in contact"),
+        series<&R::impacts>("/series/impacts", "1",
+                            "nodes that came into contact since the start, counted at the ends of "
+                            "time steps; those that start in contact included"),
+        series<&R::contact_changes>("/series/contact_changes", "1",
+                                    "nodes that came into or left contact since the start"),
+        series<&R::slips>("/series/slips", "1",
+                          "nodes in contact that began to slide since the start; 0 with the "
+                          "paper's friction law"),
     };
     return table;
 }

@@ -20,7 +20,7 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Integrator
             return std::make_unique<DormandPrince>(
                 scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads);
         case IntegratorKind::leapfrog:
-            return std::make_unique<Leapfrog>(scene, options.cfl, threads);
+            return std::make_unique<Leapfrog>(scene, options.cfl, options.stress_limit, threads);
     }
     throw std::invalid_argument("make_integrator: no such integrator");
 }

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "drillstrand/error.hpp"
 #include "drillstrand/simulation.hpp"
 
 namespace drillstrand {
@@ -31,6 +35,29 @@ class RecordTimes {
     long long count_ = 0;
 };
 
+/// Sums over the string are finite where all of it is.
+void require_finite(const SeriesRecord& record) {
+    const EnergyAccount& energy = record.energy;
+    if (std::isfinite(energy.stored() + energy.work + energy.dissipation) &&
+        (record.head_stress + record.bit_stress).allFinite() &&
+        (record.head_position + record.bit_position).allFinite()) {
+        return;
+    }
+    throw SimulationError(fmt::format("the solution is not finite at t = {:.6f} s", record.time));
+}
+
+void require_finite(const Profile& profile) {
+    for (std::size_t k = 0; k < profile.position.size(); ++k) {
+        if (profile.position[k].allFinite() && profile.momentum[k].allFinite() &&
+            profile.contact_force[k].allFinite() &&
+            profile.stress[std::min(k, profile.stress.size() - 1)].allFinite()) {
+            continue;
+        }
+        throw SimulationError(
+            fmt::format("the solution is not finite at node {} at t = {:.6f} s", k, profile.time));
+    }
+}
+
 }  // namespace
 
 RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer) {
@@ -39,11 +66,15 @@ RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observe
     RecordTimes profile_times(schedule.profile_interval, schedule.duration);
     const auto record = [&] {
         if (integrator.time() >= profile_times.next()) {
-            observer.on_profile(integrator.profile());
+            const Profile profile = integrator.profile();
+            require_finite(profile);
+            observer.on_profile(profile);
             profile_times.advance();
         }
         if (integrator.time() >= series_times.next()) {
-            observer.on_series(integrator.series());
+            const SeriesRecord series = integrator.series();
+            require_finite(series);
+            observer.on_series(series);
             series_times.advance();
         }
     };

@@ -56,6 +56,7 @@ struct Component {
     double linear_density = 0;  ///< kg/m
     double youngs_modulus = 0;  ///< Pa
     double poisson_ratio = 0.3;
+    double yield_strength = 900e6;                        ///< Pa
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
     std::optional<double> bending_stiffness;              ///< N m2
     std::optional<double> torsional_stiffness;            ///< N m2
@@ -138,6 +139,7 @@ struct RunCase {
     double duration = 0;  ///< s
     IntegratorKind integrator = IntegratorKind::dormand_prince;
     double cfl = 0.9;
+    double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
     int threads = 0;  ///< 0: all cores

@@ -2,11 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "drillstrand/case.hpp"
 
 namespace drillstrand {
+
+/// The loads of which each alone brings the outer fibre of a pipe to yield (von Mises). Infinite
+/// where a component gives no diameters.
+struct YieldLoads {
+    double axial = std::numeric_limits<double>::infinity();    ///< N
+    double bending = std::numeric_limits<double>::infinity();  ///< N m
+    double torsion = std::numeric_limits<double>::infinity();  ///< N m
+};
 
 /// What the rod needs to know of a cross section.
 struct SectionProperties {
@@ -21,6 +30,7 @@ struct SectionProperties {
     double outer_area = 0;                                ///< area of the outer circle (m2)
     double outer_radius = 0;                              ///< m
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
+    YieldLoads yield;
 };
 
 /// Properties of a pipe, G = E / (2 (1 + nu)), rho I = m I / A, polar ones twice those about a
@@ -30,7 +40,8 @@ SectionProperties section_properties(const Component& component, double shear_co
 
 /// The string on a mesh of N segments. Masses and areas of a node are means over its cell (from
 /// the middle of one segment to the middle of the next), so that their sums are exact; compliances
-/// of a segment are means over it, so that uniform stress gives the exact stretch, twist and turn.
+/// of a segment are means over it, so that uniform stress gives the exact stretch, twist and turn;
+/// its yield loads are those of its weakest part.
 struct StringMesh {
     std::vector<double> node_s;     ///< N+1, arc length from the head (m)
     std::vector<double> segment_s;  ///< N, middle of the segment (m)

@@ -33,6 +33,14 @@ class SimulationError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A physical guard stopped the run: the numbers are sound, but the string would have failed, or
+/// the mesh cannot follow its motion. what() names the guard, the segment, its place along the
+/// string and the time.
+class GuardError : public SimulationError {
+  public:
+    using SimulationError::SimulationError;
+};
+
 /// A result file cannot be written or read (disk full, not a result file).
 class ResultError : public std::runtime_error {
   public:

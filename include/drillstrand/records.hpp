@@ -35,6 +35,11 @@ struct SeriesRecord {
     double step_size = 0;        ///< s, of the last step
     double max_penetration = 0;  ///< m, 0 without contact
     std::int64_t contact_nodes = 0;
+
+    // Events since the start of the run. A node that starts in contact has come into contact.
+    std::int64_t impacts = 0;          ///< nodes that came into contact
+    std::int64_t contact_changes = 0;  ///< nodes that came into or left contact
+    std::int64_t slips = 0;            ///< nodes in contact that began to slide
 };
 
 /// Quantities of every node (N+1) and segment (N) at one time.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "drillstrand/case.hpp"
@@ -18,13 +19,17 @@ class Integrator {
     virtual ~Integrator() = default;
 
     /// Advances until `end` is reached exactly, or until `max_steps` more steps were accepted.
-    /// Throws SimulationError where the solution stops being finite or the step underflows.
+    /// Throws SimulationError where the solution stops being finite, the step underflows or a
+    /// physical guard stops the run (GuardError). Nothing more can be asked of it then but its
+    /// statistics.
     virtual void advance(double end, std::int64_t max_steps) = 0;
 
     [[nodiscard]] virtual double time() const = 0;
     [[nodiscard]] virtual SeriesRecord series() const = 0;
     [[nodiscard]] virtual Profile profile() const = 0;
     [[nodiscard]] virtual StepStatistics statistics() const = 0;
+    /// What a user should know of the run so far, a sentence each.
+    [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 struct IntegratorOptions {
@@ -32,7 +37,8 @@ struct IntegratorOptions {
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
     double cfl = 0.9;
-    int threads = 1;  ///< 0: all cores
+    int threads = 1;          ///< 0: all cores
+    double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
 };
 
 /// The integrator starts from the scene's initial state at time 0. The scene must outlive it.
@@ -58,7 +64,8 @@ class Observer {
 enum class RunOutcome { complete, stopped };
 
 /// Records at 0, interval, 2 interval, ... and at the end, profiles likewise, and advances the
-/// integrator in between. SimulationError passes through after what was recorded so far.
+/// integrator in between. SimulationError passes through after what was recorded so far; a record
+/// with a number that is not finite is one, and is not handed on.
 RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer);
 
 }  // namespace drillstrand

@@ -84,7 +84,7 @@ TEST(BadCases, ValuesOfTheWrongTypeSayWhatWasExpected) {
         {R"(title = "Trial")", "title = \"Trial\"\ncontact = 3",
          "case.toml:2:11: contact is 3; expected a table [contact]"},
         {"[mesh]\nsegments = 50\n", "mesh = 50\n",
-         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
+         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
         {"[head]\n", "[output]\ninterval = {}\n[head]\n",
          "case.toml:31:12: output.interval is a table; expected a number in SI or a time such as "
          "s, min, h"},

@@ -96,7 +96,7 @@ TEST(BadTables, MistakesInAComponentTableAreLocated) {
         {"length,outer_diametre,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          R"(pipes.csv:1:8: unknown column "outer_diametre"; did you mean "outer_diameter"?)"},
         {"length,wall,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
-         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
+         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
         {"length[kN],outer_diameter,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          "pipes.csv:1:1: column length: kN is a force; expected a length such as m, mm, in, ft"},
         {"length,outer_diameter,linear_density,youngs_modulus\n400,,29,2e11\n",

@@ -48,6 +48,7 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
     EXPECT_EQ(component.name, "");
     EXPECT_EQ(component.inner_diameter, 0);
     EXPECT_EQ(component.poisson_ratio, 0.3);
+    EXPECT_EQ(component.yield_strength, 900e6);
     EXPECT_TRUE(component.curvature.isZero(0));
     EXPECT_FALSE(component.bending_stiffness);
     EXPECT_FALSE(component.polar_inertia);
@@ -85,6 +86,7 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
 
     EXPECT_EQ(input.run.integrator, IntegratorKind::dormand_prince);
     EXPECT_EQ(input.run.cfl, 0.9);
+    EXPECT_EQ(input.run.stress_limit, 5);
     EXPECT_EQ(input.run.absolute_tolerance, 1e-7);
     EXPECT_EQ(input.run.relative_tolerance, 1e-5);
     EXPECT_EQ(input.run.threads, 0);
@@ -137,6 +139,7 @@ inner_diameter = "4 in"
 density = "7.85 g/cm3"
 youngs_modulus = "200 GPa"
 poisson_ratio = 0
+yield_strength = "120 ksi"
 curvature = [0.1, "3 deg/30m", 0]
 bending_stiffness = "7 kN m2"
 torsional_stiffness = 8
@@ -181,6 +184,7 @@ offset = [0, "1 mm", 0]
 duration = "1 h"
 integrator = "dormand-prince"
 cfl = 0.5
+stress_limit = 0
 absolute_tolerance = 1e-8
 relative_tolerance = 1e-6
 threads = 2
@@ -210,6 +214,7 @@ checkpoint_interval = "2 min"
     EXPECT_DOUBLE_EQ(component.linear_density, 7850 * pi / 4 * (0.127 * 0.127 - 0.1016 * 0.1016));
     EXPECT_EQ(component.youngs_modulus, 200e9);
     EXPECT_EQ(component.poisson_ratio, 0);
+    EXPECT_NEAR(component.yield_strength, 827.4e6, 0.05e6);
     EXPECT_EQ(component.curvature[0], 0.1);
     EXPECT_DOUBLE_EQ(component.curvature[1], pi / 1800);
     EXPECT_EQ(component.bending_stiffness, 7000);
@@ -249,6 +254,7 @@ checkpoint_interval = "2 min"
 
     EXPECT_EQ(input.run.duration, 3600);
     EXPECT_EQ(input.run.cfl, 0.5);
+    EXPECT_EQ(input.run.stress_limit, 0);
     EXPECT_EQ(input.run.absolute_tolerance, 1e-8);
     EXPECT_EQ(input.run.relative_tolerance, 1e-6);
     EXPECT_EQ(input.run.threads, 2);

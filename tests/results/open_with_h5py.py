@@ -23,6 +23,9 @@ SHAPES = {
     "/series/step_size": (4,),
     "/series/max_penetration": (4,),
     "/series/contact_nodes": (4,),
+    "/series/impacts": (4,),
+    "/series/contact_changes": (4,),
+    "/series/slips": (4,),
     "/profiles/time": (2,),
     "/profiles/position": (2, 8, 3),
     "/profiles/director": (2, 8, 3),
@@ -54,4 +57,5 @@ with h5py.File(sys.argv[1], "r") as file:
     for path in found:
         if path.startswith("/profiles") and path != "/profiles/time":
             assert file[path].shuffle and file[path].compression_opts == 4, path
-    assert file["/series/contact_nodes"].dtype.kind == "i"
+    for name in ["contact_nodes", "impacts", "contact_changes", "slips"]:
+        assert file["/series/" + name].dtype.kind == "i", name

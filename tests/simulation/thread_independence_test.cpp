@@ -56,6 +56,9 @@ void expect_identical(const SeriesRecord& a, const SeriesRecord& b) {
     EXPECT_EQ(a.step_size, b.step_size);
     EXPECT_EQ(a.max_penetration, b.max_penetration);
     EXPECT_EQ(a.contact_nodes, b.contact_nodes);
+    EXPECT_EQ(a.impacts, b.impacts);
+    EXPECT_EQ(a.contact_changes, b.contact_changes);
+    EXPECT_EQ(a.slips, b.slips);
 }
 
 void expect_identical(const Profile& a, const Profile& b) {

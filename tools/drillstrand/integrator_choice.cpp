@@ -11,6 +11,7 @@ IntegratorOptions integrator_options(const RunCase& input) {
     options.absolute_tolerance = input.absolute_tolerance;
     options.relative_tolerance = input.relative_tolerance;
     options.cfl = input.cfl;
+    options.stress_limit = input.stress_limit;
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     options.threads = input.threads == 0 ? cores : input.threads;
     return options;

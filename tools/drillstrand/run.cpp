@@ -92,7 +92,9 @@ class Recorder : public Observer {
     EnergyAudit audit_;
 };
 
-void print_warnings(const Recorder& recorder) {
+void print_warnings(const Recorder& recorder, const Integrator& integrator) {
+    for (const std::string& warning : integrator.warnings())
+        fmt::print(stderr, "drillstrand: warning: {}\n", warning);
     const double residual = recorder.energy_residual();
     if (std::abs(residual) <= large_energy_residual) return;
     fmt::print(stderr,
@@ -156,7 +158,7 @@ int run(const RunOptions& options) {
     } catch (const ResultError& error) {
         return end_failed(recorder, *integrator, output, error.what());
     }
-    print_warnings(recorder);
+    print_warnings(recorder, *integrator);
     print_summary(recorder, *integrator, output);
     return done;
 }

@@ -1,0 +1,199 @@
+#include "integrators/guards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "numerics/kernel.hpp"
+#include "numerics/vector_math.hpp"
+#include "rod/rows.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+using Constants = DirectorConstants;
+
+// h as a fraction of the pitch, squared: two segments a turn cannot show it, eight a fair shape
+constexpr double most_coarseness = 1.0 / (2 * 2);
+constexpr double fair_coarseness = 1.0 / (8 * 8);
+
+/// Reads the segments of a block into three rows of block_size numbers each.
+DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable& limits,
+                                    const BlockTable& state, const BlockTable& segments,
+                                    std::size_t block, double* cosine_out, double* yield2_out,
+                                    double* coarseness_out) {
+    const auto first = static_cast<std::ptrdiff_t>(block * block_size);
+    const ConstRows x_a = rows_at(state, position, first);
+    const ConstRows x_b = rows_at(state, position, first + 1);
+    const ConstRows t_a = rows_at(state, director, first);
+    const ConstRows t_b = rows_at(state, director, first + 1);
+    const ConstRows d1_a = rows_at(state, material, first);
+    const ConstRows d1_b = rows_at(state, material, first + 1);
+    const double* twist = segments.row(SegmentRow::twist) + first;
+    const double* inverse_length = c.row(Constants::inverse_length) + first;
+    const double* torsion = c.row(Constants::torsion) + first;
+    const double* bending = c.row(Constants::bending) + first;
+    const double* axial = c.row(Constants::axial) + first;
+    const double* twist0 = c.row(Constants::twist0) + first;
+    const double* bend10 = c.row(Constants::bend10) + first;
+    const double* bend20 = c.row(Constants::bend20) + first;
+    const double* axial_yield = limits.row(Guards::axial_yield) + first;
+    const double* bending_yield = limits.row(Guards::bending_yield) + first;
+    const double* torsion_yield = limits.row(Guards::torsion_yield) + first;
+    const double* inverse_pitch = limits.row(Guards::inverse_pitch) + first;
+
+    const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        const double ih = inverse_length[k];
+        const Triple ta = t_a[k];
+        const Triple tb = t_b[k];
+        const double cosine = dot(ta, tb);
+        const double inverse_one = 1.0 / (1.0 + cosine);
+        const Triple sum = combine(1.0, ta, 1.0, tb);
+        // stretch along the mean director, whose length |t + t| is sqrt(2 (1 + cos))
+        const double along =
+            dot(combine(ih, x_b[k], -ih, x_a[k]), sum) * std::sqrt(0.5 * inverse_one);
+        const double tension = axial[k] * (along - 1.0);
+        // curvature less the stress-free one of the mean frame, as in the rod's own kernel
+        const Triple a = cross(ta, tb);
+        const double bend =
+            2.0 * ih * inverse_one * arctangent_ratio(dot(a, a) * inverse_one * inverse_one);
+        const Triple d1 = combine(0.5, d1_a[k], 0.5, d1_b[k]);
+        const Triple d2 = combine(0.5, cross(ta, d1_a[k]), 0.5, cross(tb, d1_b[k]));
+        const Triple own = combine(bend10[k], d1, bend20[k], d2);
+        const Triple curvature = combine(bend, a, -1.0, own);
+        const double moment = bending[k] * std::sqrt(dot(curvature, curvature));
+        const double torque = torsion[k] * (twist[k] - twist0[k]);
+
+        const double normal = std::abs(tension) * axial_yield[k] + moment * bending_yield[k];
+        const double shear = torque * torsion_yield[k];
+        cosine_out[k] = cosine;
+        yield2_out[k] = normal * normal + shear * shear;
+        coarseness_out[k] = -tension * inverse_pitch[k];
+    };
+#pragma omp simd
+    for (std::size_t k = 0; k < block_size; ++k)
+        segment(k);
+}
+
+/// The readings of each segment of a block; the padding after the last one does not count.
+struct BlockReadings {
+    std::size_t first;
+    std::size_t count;
+    double cosine[block_size];
+    double yield2[block_size];
+    double coarseness[block_size];
+
+    [[nodiscard]] GuardReading of(std::size_t k) const {
+        return {cosine[k], yield2[k], coarseness[k]};
+    }
+};
+
+BlockReadings readings(const DirectorModel& model, const BlockTable& limits,
+                       const BlockTable& state, const BlockTable& segments, std::size_t block) {
+    BlockReadings all;
+    all.first = block * block_size;
+    all.count = std::min(block_size, model.segments - std::min(model.segments, all.first));
+    read_guards(model.constants, limits, state, segments, block, all.cosine, all.yield2,
+                all.coarseness);
+    return all;
+}
+
+}  // namespace
+
+Guards::Guards(const Scene& scene, const DirectorModel& model, double stress_limit)
+    : scene_(scene),
+      model_(model),
+      limits_(rows, model.segments + 1),
+      most_yield2_(stress_limit > 0 ? stress_limit * stress_limit
+                                    : std::numeric_limits<double>::infinity()) {
+    constexpr double pi = std::numbers::pi;
+    for (std::size_t k = 0; k < model.segments; ++k) {
+        const SectionProperties& s = scene.mesh.segment[k];
+        const double h = scene.mesh.length[k];
+        limits_.row(axial_yield)[k] = 1 / s.yield.axial;
+        limits_.row(bending_yield)[k] = 1 / s.yield.bending;
+        limits_.row(torsion_yield)[k] = 1 / s.yield.torsion;
+        limits_.row(inverse_pitch)[k] = h * h / (8 * pi * pi * s.bending_stiffness);
+    }
+}
+
+GuardReading Guards::read(const BlockTable& state, const BlockTable& segments,
+                          std::size_t block) const {
+    const BlockReadings all = readings(model_, limits_, state, segments, block);
+    GuardReading worst;
+    for (std::size_t k = 0; k < all.count; ++k) {
+        worst.cosine = std::min(worst.cosine, all.cosine[k]);
+        worst.yield2 = std::max(worst.yield2, all.yield2[k]);
+        worst.coarseness = std::max(worst.coarseness, all.coarseness[k]);
+    }
+    return worst;
+}
+
+bool Guards::stops(const GuardReading& reading) const {
+    return reading.cosine < 0 || reading.yield2 > most_yield2_ ||
+           reading.coarseness > most_coarseness;
+}
+
+std::string Guards::place(std::size_t segment) const {
+    return fmt::format("segment {} ({:.1f} m along the string)", segment,
+                       scene_.mesh.segment_s[segment]);
+}
+
+/// What a segment of a given coarseness bears, and the mesh that it asks for.
+std::string Guards::buckle(double coarseness, std::size_t segment) const {
+    const double h = scene_.mesh.length[segment];
+    const double compression = coarseness / limits_.row(inverse_pitch)[segment];
+    const double pitch = h / std::sqrt(coarseness);
+    return fmt::format(
+        "a compression of {:.4g} kN, under which a helix has a pitch of {:.3g} m, and is {:.3g} m "
+        "long; use segments of at most {:.2g} m",
+        compression / 1000, pitch, h, pitch / 8);
+}
+
+std::optional<std::string> Guards::describe(const BlockTable& state, const BlockTable& segments,
+                                            double time) const {
+    for (std::size_t block = 0; block < blocks_for(model_.segments); ++block) {
+        const BlockReadings all = readings(model_, limits_, state, segments, block);
+        for (std::size_t k = 0; k < all.count; ++k) {
+            const GuardReading one = all.of(k);
+            if (!stops(one)) continue;
+            const std::string where = place(all.first + k);
+            if (one.cosine < 0) {
+                return fmt::format(
+                    "{} turned past 90 degrees at t = {:.6g} s: the mesh is too coarse for this "
+                    "motion; use more segments",
+                    where, time);
+            }
+            if (one.yield2 > most_yield2_) {
+                return fmt::format(
+                    "the stress in {} reached {:.3g} times the yield strength at t = {:.6g} s: the "
+                    "pipe would have failed; lower the loads, or raise run.stress_limit",
+                    where, std::sqrt(one.yield2), time);
+            }
+            return fmt::format("the mesh is too coarse for the buckle at t = {:.6g} s: {} bears {}",
+                               time, where, buckle(one.coarseness, all.first + k));
+        }
+    }
+    return std::nullopt;
+}
+
+void Guards::follow(CoarsestSegment& coarsest, const GuardReading& reading, const BlockTable& state,
+                    const BlockTable& segments, std::size_t block, double time) const {
+    if (reading.coarseness <= std::max(coarsest.coarseness, fair_coarseness)) return;
+    const BlockReadings all = readings(model_, limits_, state, segments, block);
+    const double* worst = std::max_element(all.coarseness, all.coarseness + all.count);
+    coarsest = {*worst, all.first + static_cast<std::size_t>(worst - all.coarseness), time};
+}
+
+std::optional<std::string> Guards::warn(const CoarsestSegment& coarsest) const {
+    if (coarsest.coarseness <= fair_coarseness) return std::nullopt;
+    return fmt::format("the mesh resolves the buckle poorly: at t = {:.6g} s {} bore {}",
+                       coarsest.time, place(coarsest.segment),
+                       buckle(coarsest.coarseness, coarsest.segment));
+}
+
+}  // namespace drillstrand
