@@ -1,0 +1,293 @@
+// One step of the director rod by the vector kernels against the same step written node by node,
+// over random states of every kind of scene.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "rod/director_plain.hpp"
+#include "rod/director_steps.hpp"
+#include "support/run_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+using Eigen::Vector3d;
+using test::EndLoad;
+using test::PlainNode;
+using test::PlainRod;
+using test::StepAccount;
+
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
+    Vector3d vector(double size) {
+        return size * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1));
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+/// Three unlike components; the joints lie inside segments.
+std::string three_components(bool curved, double modulus) {
+    const std::string stiffness = "youngs_modulus = " + std::to_string(modulus) + "\n";
+    const auto own = [&](const std::string& curvature) {
+        return curved ? "curvature = " + curvature + "\n" : std::string();
+    };
+    return R"(
+        [[string.component]]
+        length = 9.0
+        linear_density = 34.0
+        outer_diameter = 0.14
+        inner_diameter = 0.11
+        )" +
+           stiffness + own("[0.01, 0.02, -0.03]") +
+           R"(
+        [[string.component]]
+        length = 4.3
+        linear_density = 150.0
+        outer_diameter = 0.2
+        inner_diameter = 0.07
+        poisson_ratio = 0.2
+        )" +
+           stiffness +
+           R"(
+        [[string.component]]
+        length = 6.1
+        linear_density = 20.0
+        outer_diameter = 0.09
+        inner_diameter = 0.07
+        )" +
+           stiffness + own("[-0.02, 0.0, 0.01]") +
+           R"(
+        [head]
+        motion = "free"
+        [run]
+        integrator = "leapfrog"
+        duration = 1
+        )";
+}
+
+struct Variant {
+    std::string name;
+    int segments;
+    bool curved;
+    bool well;
+    std::string more;
+};
+
+std::ostream& operator<<(std::ostream& out, const Variant& variant) {
+    return out << variant.name;
+}
+
+Scene scene_of(const Variant& variant) {
+    // in the well soft as rubber: nodes put anywhere then neither all stick nor all slide
+    const double modulus = variant.well ? 1e6 : 200e9;
+    Case input = test::case_from(three_components(variant.curved, modulus) + variant.more +
+                                 "[mesh]\nsegments = " + std::to_string(variant.segments) + "\n");
+    if (variant.well) {
+        WellCase hole;
+        hole.survey = {{0, 0.3, 0.4}, {6, 0.35, 0.35}, {14, 0.5, 0.42}, {40, 0.6, 0.5}};
+        hole.sections = {{100, 0.32}};
+        input.well = hole;
+    }
+    return build_scene(input);
+}
+
+PlainRod random_rod(const Scene& scene, Dice& dice) {
+    PlainRod rod;
+    const std::size_t nodes = scene.mesh.node.size();
+    for (std::size_t k = 0; k < nodes; ++k) {
+        PlainNode node;
+        const Vector3d& t0 = scene.initial_nodes.director[k];
+        if (scene.features.well) {
+            node.director = (t0 + dice.vector(0.03)).normalized();
+            // half of the nodes in the wall, up to 2 cm; all of them below the mouth, where the
+            // arc is not one of 100 km and its rounding
+            const double clearance = 0.16 - scene.mesh.node[k].outer_radius;
+            const Vector3d aside = dice.vector(1).cross(t0).normalized();
+            const double eccentricity = dice.between(0, 1) < 0.5
+                                            ? clearance + dice.between(1e-3, 0.02)
+                                            : clearance * dice.between(0.05, 0.95);
+            node.position = scene.initial_nodes.position[k] + 0.3 * t0 + eccentricity * aside;
+        } else if (k == 0) {
+            node.director = dice.vector(1).normalized();
+            node.position = dice.vector(1);
+        } else {
+            const PlainNode& last = rod.node.back();
+            node.director = (last.director + dice.vector(0.2)).normalized();
+            node.position = last.position +
+                            scene.mesh.length[k - 1] * (1 + dice.between(-0.03, 0.03)) *
+                                (last.director + node.director + dice.vector(0.06)).normalized();
+        }
+        const Vector3d& t = node.director;
+        node.velocity = dice.vector(1);
+        node.angular_velocity = dice.vector(1).cross(t);
+        node.last_director = (t + dice.vector(5e-3)).normalized();
+        node.material = dice.vector(1).cross(t).normalized();
+        node.spin = dice.between(-5, 5);
+        node.depth = dice.between(-1, 1);
+        const double stretch = dice.between(0, 1) * 1e3 / scene.contact.tangential_stiffness;
+        node.spring = {{stretch * dice.between(-1, 1), stretch * dice.between(-1, 1)},
+                       dice.between(-1, 1) > 0 ? 1.0 : 0.0};
+        rod.node.push_back(node);
+    }
+    for (const double h : scene.mesh.length)
+        rod.twist.push_back(dice.between(-0.1, 0.1) / h);
+    return rod;
+}
+
+/// Largest difference of a quantity over the nodes, relative to the largest change of it in the
+/// step.
+template <class Quantity>
+double relative_difference(const PlainRod& a, const PlainRod& b, const PlainRod& start,
+                           const Quantity& quantity) {
+    double difference = 0;
+    double change = 0;
+    for (std::size_t k = 0; k < a.node.size(); ++k) {
+        difference = std::max(difference, (quantity(a.node[k]) - quantity(b.node[k])).norm());
+        change = std::max(change, (quantity(b.node[k]) - quantity(start.node[k])).norm());
+    }
+    return difference / change;
+}
+
+class DirectorKernelsOn : public testing::TestWithParam<Variant> {};
+
+TEST_P(DirectorKernelsOn, TakeTheStepWrittenNodeByNode) {
+    const Scene scene = scene_of(GetParam());
+    Dice dice(20240602);
+    constexpr double drift_before = 0.8e-3;
+    constexpr double kick = 0.9e-3;
+    constexpr double drift = 1e-3;
+    int impacts = 0;
+    int slips = 0;
+    double sticking = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+        const PlainRod start = random_rod(scene, dice);
+        const double load = GetParam().well ? 1e2 : 1e5;
+        const EndLoad head = {dice.vector(load), dice.vector(0.1 * load)};
+        const EndLoad bit = {dice.vector(load), dice.vector(0.1 * load)};
+        PlainRod expected = start;
+        PlainRod found = start;
+        const StepAccount plain =
+            test::plain_director_step(scene, expected, head, bit, drift_before, kick, drift);
+        const StepAccount kernel =
+            test::kernel_director_step(scene, found, head, bit, drift_before, kick, drift);
+
+        const auto difference = [&](const auto& quantity) {
+            return relative_difference(found, expected, start, quantity);
+        };
+        constexpr double rounding = 1e-11;
+        EXPECT_LT(difference([](const PlainNode& n) { return n.velocity; }), rounding);
+        EXPECT_LT(difference([](const PlainNode& n) { return n.angular_velocity; }), rounding);
+        EXPECT_LT(difference([](const PlainNode& n) { return Vector3d(n.spin, 0, 0); }), rounding);
+        EXPECT_LT(difference([](const PlainNode& n) { return n.position; }), rounding);
+        EXPECT_LT(difference([](const PlainNode& n) { return n.director; }), rounding);
+        if (GetParam().curved) {
+            EXPECT_LT(difference([](const PlainNode& n) { return n.material; }), rounding);
+        }
+        for (std::size_t k = 0; k < start.twist.size(); ++k) {
+            EXPECT_NEAR(found.twist[k], expected.twist[k], 1e-14);
+            EXPECT_EQ(found.node[k].last_director, start.node[k].director);
+        }
+        EXPECT_NEAR(kernel.outflow, plain.outflow, rounding * (1 + std::abs(plain.outflow)));
+        EXPECT_EQ(kernel.faults, 0);
+        EXPECT_EQ(kernel.impacts, plain.impacts);
+        EXPECT_EQ(kernel.slips, plain.slips);
+        if (!scene.features.well) continue;
+        EXPECT_LT(difference([](const PlainNode& n) {
+                      return Vector3d(n.spring.elongation.axial, n.spring.elongation.azimuthal, 0);
+                  }),
+                  rounding);
+        for (std::size_t k = 0; k < start.node.size(); ++k) {
+            EXPECT_EQ(found.node[k].spring.sliding, expected.node[k].spring.sliding);
+            EXPECT_NEAR(found.node[k].depth, expected.node[k].depth, 1e-13);
+            if (expected.node[k].depth > 0 && expected.node[k].spring.sliding < 0.5) ++sticking;
+        }
+        impacts += plain.impacts;
+        slips += plain.slips;
+    }
+    if (!scene.features.well) return;
+    // all of it must have happened
+    EXPECT_GT(impacts, 20);
+    EXPECT_GT(sticking, 20);
+    if (scene.contact.law == FrictionLaw::coulomb) {
+        EXPECT_GT(slips, 20);
+    }
+}
+
+constexpr const char* damped = "[damping]\ninternal = 3\nexternal = 200\nkelvin_voigt = 1e-4\n";
+constexpr const char* wall =
+    "[contact]\nnormal_stiffness = 1e6\nnormal_damping = 1e4\ntangential_stiffness = 1e5\n";
+constexpr const char* mud = "[fluid]\ndensity = 1200\nviscosity = 0.05\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Rods, DirectorKernelsOn,
+    testing::Values(
+        Variant{"OneSegment", 1, false, false, ""}, Variant{"OneBlock", 15, false, false, ""},
+        Variant{"LastNodeAlone", 32, false, false, ""},
+        Variant{"SeveralBlocksDamped", 37, false, false, damped},
+        Variant{"Curved", 37, true, false, ""}, Variant{"CurvedDamped", 37, true, false, damped},
+        Variant{"OnlyKelvinVoigt", 20, false, false, "[damping]\nkelvin_voigt = 1e-3\n"},
+        Variant{"DryWell", 37, false, true, wall},
+        Variant{"Mud", 37, false, true, std::string(wall) + mud},
+        Variant{"PapersAxialDrag", 37, false, true,
+                std::string(wall) + mud + "axial_drag = \"concentric\"\n"},
+        Variant{"PullingWall", 37, false, true, std::string(wall) + "tension = true\n"},
+        Variant{"PapersLaw", 37, false, true,
+                std::string(wall) + "law = \"paper\"\ntension = true\n"},
+        Variant{"PapersLawInMud", 37, false, true, std::string(wall) + "law = \"paper\"\n" + mud},
+        Variant{
+            "UnequalFriction", 37, false, true,
+            std::string(wall) + "static_friction = [0.2, 0.7]\ndynamic_friction = [0.1, 0.5]\n"},
+        Variant{"FrictionAroundAlone", 37, false, true,
+                std::string(wall) + "static_friction = [0, 0.7]\ndynamic_friction = [0, 0.5]\n"},
+        Variant{"Everything", 50, true, true, std::string(wall) + mud + damped},
+        Variant{"EverythingByThePapersLaw", 50, true, true,
+                std::string(wall) + "law = \"paper\"\n" + mud + damped}),
+    [](const auto& variant) { return variant.param.name; });
+
+TEST(DirectorKernels, LetANodeBesideTheAxisOfTheWellMoveAsIfThereWereNone) {
+    // where the direction toward the axis is little but rounding
+    Case input = test::case_from("gravity = 0\n" + three_components(false, 200e9) +
+                                 "[mesh]\nsegments = 20\n");
+    WellCase hole;
+    hole.survey = {{0, 0.7, 0.4}, {1000, 0.7, 0.4}};
+    hole.sections = {{1000, 0.32}};
+    input.well = hole;
+    const Scene scene = build_scene(input);
+    Dice dice(3);
+    for (double eccentricity = 1e-15; eccentricity < 1e-3; eccentricity *= 10) {
+        const Vector3d along = scene.head_frame.col(0);
+        const Vector3d aside = eccentricity * dice.vector(1).cross(along).normalized();
+        const Vector3d speed = 3 * along + dice.vector(0.1);
+        PlainRod rod;
+        for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
+            PlainNode node;
+            node.position = scene.initial_nodes.position[k] + 100 * along + aside;
+            node.velocity = speed;
+            node.director = node.last_director = along;
+            node.angular_velocity.setZero();
+            node.material = scene.head_frame.col(1);
+            rod.node.push_back(node);
+        }
+        rod.twist.assign(scene.mesh.length.size(), 0.0);
+        test::kernel_director_step(scene, rod, {}, {}, 1e-3, 1e-3, 1e-3);
+        for (const PlainNode& node : rod.node) {
+            // the rod's own forces: rounding of positions times its stiffness
+            EXPECT_LT((node.velocity - speed).norm(), 1e-7) << eccentricity;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drillstrand

@@ -1,0 +1,308 @@
+#include "rod/director_plain.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "forces/implicit_contact.hpp"
+#include "forces/surroundings.hpp"
+
+namespace drillstrand::test {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// Signed area on the unit sphere of the quadrilateral of two directors before and after: the angle
+/// by which a vector has turned that was carried around it.
+double area_between(const Vector3d& a0, const Vector3d& b0, const Vector3d& b1,
+                    const Vector3d& a1) {
+    const auto leg = [](const Vector3d& from, const Vector3d& to) {
+        return Quaterniond::FromTwoVectors(from, to);
+    };
+    const Quaterniond around = leg(a1, a0) * leg(b1, a1) * leg(b0, b1) * leg(a0, b0);
+    return 2 * std::atan2(around.vec().dot(a0), around.w());
+}
+
+/// Couple and force of the segments on one node, before they are divided by its cell.
+struct Wrench {
+    Vector3d force = Vector3d::Zero();
+    Vector3d couple = Vector3d::Zero();
+};
+
+/// Strains of a segment.
+struct Strain {
+    Vector3d chord, mean, shear, bend, own;  ///< bend: its own shape in space not yet subtracted
+    double stretch;
+};
+
+Strain strain_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
+    const PlainNode& a = rod.node[k];
+    const PlainNode& b = rod.node[k + 1];
+    const double h = scene.mesh.length[k];
+    Strain s;
+    s.chord = (b.position - a.position) / h;
+    s.mean = (a.director + b.director).normalized();
+    s.stretch = s.chord.dot(s.mean);
+    s.shear = s.chord - s.stretch * s.mean;
+    const Vector3d across = a.director.cross(b.director);
+    const double angle = std::atan2(across.norm(), a.director.dot(b.director));
+    s.bend = across.norm() > 0 ? Vector3d(angle / h * across.normalized()) : Vector3d::Zero();
+    const Vector3d& curvature = scene.mesh.segment[k].curvature;
+    s.own.setZero();
+    for (const PlainNode* n : {&a, &b}) {
+        s.own += 0.5 * (curvature[1] * n->material + curvature[2] * n->director.cross(n->material));
+    }
+    return s;
+}
+
+/// Adds a segment's elastic forces to its end nodes.
+void add_elastic(const Scene& scene, const PlainRod& rod, std::size_t k, Wrench& on_a,
+                 Wrench& on_b) {
+    const PlainNode& a = rod.node[k];
+    const PlainNode& b = rod.node[k + 1];
+    const SectionProperties& section = scene.mesh.segment[k];
+    const double h = scene.mesh.length[k];
+    const Strain strain = strain_of(scene, rod, k);
+
+    const Vector3d n = section.axial_stiffness * (strain.stretch - 1) * strain.mean +
+                       section.shear_stiffness * strain.shear;
+    on_a.force += n;
+    on_b.force -= n;
+    // energy h/2 (EA (g-1)^2 + kGA (D^2 - g^2)) as a function of the mean director
+    const Matrix3d change_of_mean = (Matrix3d::Identity() - strain.mean * strain.mean.transpose()) /
+                                    (a.director + b.director).norm();
+    const Vector3d pull_on_mean = h *
+                                  (section.shear_stiffness * strain.stretch -
+                                   section.axial_stiffness * (strain.stretch - 1)) *
+                                  strain.chord;
+    on_a.couple += a.director.cross(change_of_mean * pull_on_mean);
+    on_b.couple += b.director.cross(change_of_mean * pull_on_mean);
+
+    const double twist = rod.twist[k] - section.curvature[0];
+    const Vector3d torque = section.torsional_stiffness * twist / (1 + a.director.dot(b.director)) *
+                            (a.director + b.director);
+    on_a.couple += torque;
+    on_b.couple -= torque;
+
+    // h m . (bend - own), m = EI (bend - own), as the directors turn by a small vector each;
+    // bend = f(c) a / h, c = cos b, f = b / sin b
+    const Vector3d moment = section.bending_stiffness * (strain.bend - strain.own);
+    const Vector3d across = a.director.cross(b.director);
+    const double cosine = a.director.dot(b.director);
+    const double angle = std::atan2(across.norm(), cosine);
+    // series of f and b cot b where the difference loses digits
+    const double b2 = angle * angle;
+    const bool small = angle < 0.1;
+    const double f = small ? 1 + b2 / 6 + b2 * b2 * 7 / 360 + std::pow(b2, 3) * 31 / 15120 +
+                                 std::pow(b2, 4) * 127 / 604800
+                           : angle / std::sin(angle);
+    const double cotangent_part =
+        small ? -b2 / 3 - b2 * b2 / 45 - std::pow(b2, 3) * 2 / 945 - std::pow(b2, 4) / 4725
+              : f * cosine - 1;  // b cot b - 1
+    const double df_dc = cotangent_part / across.squaredNorm();
+    const Vector3d along = df_dc * moment.dot(across) * across;
+    const auto own_of = [&](const PlainNode& node) {
+        return Vector3d(section.curvature[1] * node.material +
+                        section.curvature[2] * node.director.cross(node.material));
+    };
+    on_a.couple -= along + f * a.director.cross(b.director.cross(moment));
+    on_b.couple -= -along + f * b.director.cross(moment.cross(a.director));
+    on_a.couple += h / 2 * own_of(a).cross(moment);
+    on_b.couple += h / 2 * own_of(b).cross(moment);
+}
+
+/// Kelvin-Voigt damping and D_in, with the rates of strain of the half step before.
+void add_internal_damping(const Scene& scene, const PlainRod& rod, std::size_t k, Wrench& on_a,
+                          Wrench& on_b) {
+    const PlainNode& a = rod.node[k];
+    const PlainNode& b = rod.node[k + 1];
+    const SectionProperties& section = scene.mesh.segment[k];
+    const double h = scene.mesh.length[k];
+    const Strain strain = strain_of(scene, rod, k);
+    const Vector3d w_a = a.angular_velocity + a.spin * a.director;
+    const Vector3d w_b = b.angular_velocity + b.spin * b.director;
+    const Vector3d g_rate = (b.velocity - a.velocity) / h - (0.5 * (w_a + w_b)).cross(strain.chord);
+    const Vector3d k_rate = (w_b - w_a) / h;
+    const Matrix3d onto_mean = strain.mean * strain.mean.transpose();
+    const Matrix3d across_mean = Matrix3d::Identity() - onto_mean;
+
+    const double tau = scene.damping.kelvin_voigt;
+    const Vector3d n = tau * (section.axial_stiffness * onto_mean * g_rate +
+                              section.shear_stiffness * across_mean * g_rate);
+    const double twisting = tau * section.torsional_stiffness * k_rate.dot(strain.mean);
+    const Vector3d m = tau * section.bending_stiffness * across_mean * k_rate +
+                       twisting / (1 + a.director.dot(b.director)) * (a.director + b.director);
+    const Vector3d lean = h / 2 * strain.chord.cross(n);
+    const double internal = scene.damping.internal * h / 2;
+    // of the couples of bending and shear only the part across the director acts; a node's torque
+    // is that of twist and of D_in
+    const auto across = [](const Vector3d& v, const Vector3d& t) {
+        return Vector3d(v - v.dot(t) * t);
+    };
+    on_a.force += n - internal * g_rate;
+    on_b.force += -n - internal * g_rate;
+    on_a.couple += across(m + lean, a.director) + twisting * a.director - internal * k_rate;
+    on_b.couple += across(-m + lean, b.director) - twisting * b.director - internal * k_rate;
+}
+
+Vector3d turned(const Vector3d& v, double angle, const Vector3d& axis) {
+    return Eigen::AngleAxisd(angle, axis) * v;
+}
+
+/// Contact, friction and drag.
+void surround(const Scene& scene, std::size_t k, double kick, const Vector3d& position,
+              PlainNode& node, Vector3d& v, double& spin, StepAccount& account) {
+    const SurroundingsParameters p = surroundings_parameters(scene);
+    const WellCrossSection section =
+        scene.well->project(position, scene.well->find_arc(position, 0));
+    const double pipe = scene.mesh.node[k].outer_radius;
+    const double hole = section.radius;
+    const double eccentricity = (section.axis - position).norm();
+    Matrix3d frame;  // r, l, t
+    frame.col(0) = (section.axis - position).normalized();
+    frame.col(1) = section.direction;
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+    const Vector3d before = frame.transpose() * v;
+    Vector3d u = before;
+    const double mass = scene.mesh.node[k].mass;
+    const double polar = scene.mesh.node[k].polar_inertia;
+    const Mobility mobility = {kick / mass, kick / polar};
+
+    const double depth = eccentricity + pipe - hole;
+    if (depth > 0) {
+        // spring and dashpot at the end of the step
+        const double resistance = scene.normal_damping[k] + kick * scene.contact.normal_stiffness;
+        double normal = (scene.contact.normal_stiffness * depth - resistance * u[0]) /
+                        (1 + resistance * kick / mass);
+        if (!scene.contact.tension) normal = std::max(normal, 0.0);
+        const WellVelocity star = {u[0], u[1], u[2], spin};
+        const FrictionStep rub =
+            scene.contact.law == FrictionLaw::coulomb
+                ? coulomb_step(node.spring, star, normal, depth, pipe, kick, mobility, p.friction)
+                : paper_step(node.spring, star, scene.contact.normal_stiffness * depth, depth, pipe,
+                             kick, mobility, p.friction);
+        account.impacts += node.depth <= 0 ? 1 : 0;
+        account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
+        node.spring = rub.spring;
+        u += kick / mass * Vector3d(normal, rub.force.axial, rub.force.azimuthal);
+        spin += kick / polar * pipe * rub.force.azimuthal;
+    } else {
+        node.spring = {};
+        if (scene.features.drag) {
+            const double e = std::min(eccentricity, (1 - scene.fluid->film) * (hole - pipe));
+            const DragCoefficients c = drag_coefficients(e, pipe, hole);
+            const double axial = scene.fluid->axial_drag == AxialDrag::eccentric
+                                     ? c.axial
+                                     : concentric_axial_drag(pipe, hole);
+            Eigen::Matrix4d drag = Eigen::Matrix4d::Zero();  // of (v_r, v_l, v_t, spin)
+            drag(0, 0) = c.radial;
+            drag(1, 1) = axial;
+            drag.bottomRightCorner<2, 2>() << c.around, c.cross, c.cross, c.spin;
+            const Eigen::Vector4d inertia(mass, mass, mass, polar);
+            const Eigen::Matrix4d system =
+                Eigen::Matrix4d(inertia.asDiagonal()) + kick * scene.fluid->viscosity * drag;
+            const Eigen::Vector4d momentum =
+                inertia.cwiseProduct(Eigen::Vector4d(u[0], u[1], u[2], spin));
+            const Eigen::Vector4d after = system.llt().solve(momentum);
+            u = after.head<3>();
+            spin = after[3];
+        }
+    }
+    node.depth = depth;
+    v += frame * (u - before);
+}
+
+}  // namespace
+
+StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad& head,
+                                const EndLoad& bit, double drift_before, double kick,
+                                double drift) {
+    const std::size_t nodes = rod.node.size();
+    for (std::size_t k = 0; k + 1 < nodes; ++k) {
+        const PlainNode& a = rod.node[k];
+        const PlainNode& b = rod.node[k + 1];
+        rod.twist[k] += (drift_before * (b.spin - a.spin) +
+                         area_between(a.last_director, b.last_director, b.director, a.director)) /
+                        scene.mesh.length[k];
+    }
+    std::vector<Wrench> elastic(nodes);
+    std::vector<Wrench> damping(nodes);
+    for (std::size_t k = 0; k + 1 < nodes; ++k) {
+        add_elastic(scene, rod, k, elastic[k], elastic[k + 1]);
+        add_internal_damping(scene, rod, k, damping[k], damping[k + 1]);
+    }
+    elastic.front().force -= head.pull;
+    elastic.front().couple -= head.couple;
+    elastic.back().force += bit.pull;
+    elastic.back().couple += bit.couple;
+
+    StepAccount account;
+    for (std::size_t k = 0; k < nodes; ++k) {
+        PlainNode& node = rod.node[k];
+        const PlainNode before = node;
+        const double cell = scene.mesh.cell[k];
+        const double mass = scene.mesh.node[k].mass;
+        const double polar = scene.mesh.node[k].polar_inertia;
+        const double inertia = scene.inertia[k];
+        const Vector3d& t = before.director;
+        const auto along = [&](const Vector3d& v) { return v.dot(t); };
+        const auto across = [&](const Vector3d& v) { return Vector3d(v - v.dot(t) * t); };
+
+        Vector3d v = before.velocity +
+                     kick / mass * (elastic[k].force / cell + scene.weight[k] * scene.down);
+        double spin = before.spin + kick / polar * along(elastic[k].couple) / cell;
+        // gyroscopic turn about t in two halves, by Cayley's rotation
+        const double half = kick / inertia * polar * (before.spin + spin) / 4;
+        const double angle = 2 * std::atan(half / 2);
+        Vector3d w = turned(before.angular_velocity, angle, t);
+        w += kick / inertia * across(elastic[k].couple) / cell;
+        w = turned(w, angle, t);
+
+        const Vector3d v_rod = v;
+        const Vector3d w_rod = w;
+        const double spin_rod = spin;
+        const double external = scene.damping.external;
+        v = (v + kick / mass * damping[k].force / cell) / (1 + kick / mass * external);
+        w = (w + kick / inertia * across(damping[k].couple) / cell) /
+            (1 + kick / inertia * external);
+        spin =
+            (spin + kick / polar * along(damping[k].couple) / cell) / (1 + kick / polar * external);
+        if (scene.features.well) surround(scene, k, kick, before.position, node, v, spin, account);
+        account.outflow -= cell * (mass * (v - v_rod).dot(before.velocity + v) / 2 +
+                                   inertia * (w - w_rod).dot(before.angular_velocity + w) / 2 +
+                                   polar * (spin - spin_rod) * (before.spin + spin) / 2);
+
+        node.velocity = v;
+        node.angular_velocity = w;
+        node.spin = spin;
+        node.last_director = t;
+        node.position += drift * v;
+        if (w.norm() > 0)
+            node.director = turned(t, 2 * std::atan(drift * w.norm() / 2), w.normalized());
+        const Vector3d carried = Quaterniond::FromTwoVectors(t, node.director) * before.material;
+        node.material = turned(carried, 2 * std::atan(drift * spin / 2), node.director);
+    }
+    return account;
+}
+
+double plain_elastic_energy(const Scene& scene, const PlainRod& rod) {
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < rod.node.size(); ++k) {
+        const SectionProperties& s = scene.mesh.segment[k];
+        const Strain strain = strain_of(scene, rod, k);
+        const double twist = rod.twist[k] - s.curvature[0];
+        sum += scene.mesh.length[k] / 2 *
+               (s.axial_stiffness * std::pow(strain.stretch - 1, 2) +
+                s.shear_stiffness * strain.shear.squaredNorm() +
+                s.bending_stiffness * (strain.bend - strain.own).squaredNorm() +
+                s.torsional_stiffness * twist * twist);
+    }
+    return sum;
+}
+
+}  // namespace drillstrand::test
