@@ -58,6 +58,7 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double stress_limit, int thre
       surroundings_(scene, scene.initial_nodes.position),
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
       blocks_(blocks_for(model_.segments + 1)),
+      block_outflow_(blocks_, 0.0),
       barrier_(1) {
     const std::size_t nodes = model_.segments + 1;
     for (BlockTable& state : states_) {
@@ -101,11 +102,12 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double stress_limit, int thre
 
 void Leapfrog::advance(double end, std::int64_t max_steps) {
     if (end <= time_) return;
-    // equal steps that meet the end exactly
-    const double wanted = std::ceil((end - time_) / bound_ * (1 - 1e-12));
-    const auto needed = static_cast<std::int64_t>(std::max(wanted, 1.0));
-    const std::int64_t steps = std::min(needed, max_steps);
-    const double dt = (end - time_) / static_cast<double>(needed);
+    if (end != course_.end) {
+        const double wanted = std::ceil((end - time_) / bound_ * (1 - 1e-12));
+        course_ = {time_, end, static_cast<std::int64_t>(std::max(wanted, 1.0)), 0};
+    }
+    const std::int64_t steps = std::min(course_.steps - course_.done, max_steps);
+    const double dt = course_.step();
 #pragma omp parallel num_threads(static_cast <int>(workers_.size()))
     {
         // the team may be smaller than asked for
@@ -126,9 +128,10 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
         double* own = worker.segments.row(SegmentRow::twist);
         if (own != whole) std::copy(whole, whole + blocks_ * block_size, own);
     }
-    if (fault_step_ != no_fault) fail(dt);
+    if (fault_step_ != no_fault) fail();
     current_ = (current_ + static_cast<std::size_t>(steps)) % 2;
-    time_ = steps == needed ? end : time_ + static_cast<double>(steps) * dt;
+    course_.done += steps;
+    time_ = course_.time(course_.done);
     last_drift_ = dt;
     statistics_.steps += steps;
     statistics_.evaluations += steps;
@@ -153,7 +156,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int6
         barrier_.wait();
         if (fault_step_.load(std::memory_order_relaxed) <= i) break;
         current = 1 - current;
-        step.time = time_ + static_cast<double>(i + 1) * dt;
+        step.time = course_.time(course_.done + i + 1);
         step.last_drift = dt;
         step.kick = dt;
     }
@@ -174,7 +177,7 @@ bool Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const Blo
         if (block + 1 == blocks_) load_bit(segments, state, step.time);
         const NodeStep done = director_nodes(model_, state, next, segments, surroundings, block,
                                              step.kick, step.drift);
-        worker.outflow += done.outflow;
+        block_outflow_[block] += done.outflow;
         worker.impacts += done.impacts;
         worker.slips += done.slips;
         if (done.leavers > 0) {
@@ -414,8 +417,9 @@ SeriesRecord Leapfrog::series() const {
     energy.dissipation = initial_spring_energy_ - spring_energy;
     double impacts = at.impacts;
     double slips = at.slips;
+    for (const double outflow : block_outflow_)
+        energy.dissipation += outflow;
     for (const Worker& worker : workers_) {
-        energy.dissipation += worker.outflow;
         impacts += worker.impacts;
         slips += worker.slips;
     }
@@ -461,9 +465,9 @@ Profile Leapfrog::profile() const {
 
 /// Throws for the step at which a worker found that the run cannot go on: a physical guard where
 /// one applies to the state before that step.
-void Leapfrog::fail(double dt) const {
+void Leapfrog::fail() const {
     const std::int64_t step = fault_step_;
-    const double time = time_ + static_cast<double>(step) * dt;
+    const double time = course_.time(course_.done + step);
     const BlockTable& state = states_[(current_ + static_cast<std::size_t>(step)) % 2];
     if (const auto guard = guards_.describe(state, workers_.front().segments, time))
         throw GuardError(*guard);

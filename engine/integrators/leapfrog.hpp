@@ -37,7 +37,6 @@ class Leapfrog final : public Integrator {
         std::size_t begin = 0;  ///< first block
         std::size_t end = 0;    ///< one past the last block
         BlockTable segments;
-        double outflow = 0;  ///< energy given to surroundings and damping (J)
         double impacts = 0;
         double slips = 0;
         CoarsestSegment coarsest;
@@ -51,6 +50,18 @@ class Leapfrog final : public Integrator {
         double kick = 0;        ///< time over which forces act: the mean of both (s)
     };
 
+    /// Equal steps that meet an end exactly, also where they are taken in several pieces.
+    struct Course {
+        double start = 0;  ///< s
+        double end = 0;    ///< s
+        std::int64_t steps = 0;
+        std::int64_t done = 0;
+        [[nodiscard]] double step() const { return (end - start) / static_cast<double>(steps); }
+        [[nodiscard]] double time(std::int64_t taken) const {
+            return taken == steps ? end : start + static_cast<double>(taken) * step();
+        }
+    };
+
     /// A direction that goes along with an end of the rod: d1 of its section.
     struct EndFrame {
         Eigen::Vector3d d1;
@@ -61,7 +72,7 @@ class Leapfrog final : public Integrator {
     bool step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
                      BlockTable& next, const Step& step);
     [[nodiscard]] bool keep_guard(Worker& worker, const BlockTable& state, double time) const;
-    [[noreturn]] void fail(double dt) const;
+    [[noreturn]] void fail() const;
     void load_head(BlockTable& segments, const BlockTable& state, double time) const;
     void load_bit(BlockTable& segments, const BlockTable& state, double time) const;
     void finish_head(const BlockTable& segments, const BlockTable& state, BlockTable& next,
@@ -98,6 +109,7 @@ class Leapfrog final : public Integrator {
     Surroundings surroundings_;
     double bound_;  ///< cfl times the stability bound (s)
     std::size_t blocks_;
+    std::vector<double> block_outflow_;  ///< per block, energy given to its surroundings (J)
     BlockTable states_[2];
     std::size_t current_ = 0;  ///< which of the two states is that of the last whole step
     std::vector<Worker> workers_;
@@ -111,6 +123,7 @@ class Leapfrog final : public Integrator {
 
     double time_ = 0;
     double last_drift_ = 0;
+    Course course_;
     double head_work_ = 0;  ///< J
     double bit_work_ = 0;   ///< J
     double initial_head_energy_ = 0;

@@ -30,6 +30,7 @@ Case pipe_in_well() {
     input.string.components = {pipe};
     input.mesh.segments = 40;
     input.mesh.segment_inertia = true;
+    input.run.integrator = IntegratorKind::dormand_prince;
     input.run.duration = 1;
     input.run.threads = 1;
     return input;

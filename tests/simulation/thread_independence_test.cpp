@@ -104,7 +104,7 @@ TEST(Threads, DoNotChangeADigitOfAStringWithAFreeHead) {
 
 TEST(Threads, MoreThanBlocksOfNodesAreHarmless) {
     Case input = rubbing_string();
-    input.mesh.segments = 4;
+    input.mesh.segments = 12;
     input.run.duration = 0.05;
     input.run.threads = 1;
     const test::Run alone = run(input);
