@@ -365,9 +365,12 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const Triple sum = combine(1.0, t, 1.0, moved);
             const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
             const Triple carried = combine(1.0, d1, -onto, sum);
+            // Cayley's rotation, by the tangent of half the angle to its fifth power
             const double angle = drift * s;
-            const double unit = 1.0 / (1.0 + 0.25 * angle * angle);
-            d1_out.set(k, combine((1.0 - 0.25 * angle * angle) * unit, carried, angle * unit,
+            const double a2 = angle * angle;
+            const double tangent = 0.5 * angle * (1.0 + a2 * (1.0 / 12.0) * (1.0 + a2 * 0.1));
+            const double unit = 1.0 / (1.0 + tangent * tangent);
+            d1_out.set(k, combine((1.0 - tangent * tangent) * unit, carried, 2.0 * tangent * unit,
                                   cross(moved, carried)));
         }
         return done;
@@ -399,15 +402,16 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         Triple v = combine(1.0, v_in[k], to_velocity, force);
         double s = spin_in[k] + to_spin * torque;
 
-        // gyroscopic term, I dOm/dt = Ip s (t x Om): half a rotation before the kick, half after
-        const double half = 0.25 * to_turning * polar[k] * (spin_in[k] + s);
-        const double turn_scale = 1.0 / (1.0 + 0.25 * half * half);
-        const double turn_cosine = (1.0 - 0.25 * half * half) * turn_scale;
-        const double turn_sine = half * turn_scale;
+        // gyroscopic term, I dOm/dt = Ip s (t x Om): half with the velocities before the kick,
+        // half, implicit, with those after, which keeps the angular momentum to rounding
+        const double gyration = 0.5 * to_turning * polar[k];
+        const double before = gyration * spin_in[k];
+        const double after = gyration * s;
         Triple w = w_in[k];
-        w = combine(turn_cosine, w, turn_sine, cross(t, w));
+        w = combine(1.0, w, before, cross(t, w));
         w = combine(1.0, w, to_turning, couple);
-        w = combine(turn_cosine, w, turn_sine, cross(t, w));
+        const double settled = 1.0 / (1.0 + after * after);
+        w = combine(settled, w, after * settled, cross(t, w));
 
         const Triple v_rod = v;
         const double s_rod = s;

@@ -17,6 +17,10 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
+Vector3d across(const Vector3d& v, const Vector3d& unit) {
+    return v - v.dot(unit) * unit;
+}
+
 /// Signed area on the unit sphere of the quadrilateral of two directors before and after: the angle
 /// by which a vector has turned that was carried around it.
 double area_between(const Vector3d& a0, const Vector3d& b0, const Vector3d& b1,
@@ -28,10 +32,11 @@ double area_between(const Vector3d& a0, const Vector3d& b0, const Vector3d& b1,
     return 2 * std::atan2(around.vec().dot(a0), around.w());
 }
 
-/// Couple and force of the segments on one node, before they are divided by its cell.
+/// Force and couples of the segments on one node, before they are divided by its cell.
 struct Wrench {
     Vector3d force = Vector3d::Zero();
-    Vector3d couple = Vector3d::Zero();
+    Vector3d couple = Vector3d::Zero();  ///< acts across the director
+    double torque = 0;                   ///< about the director
 };
 
 /// Strains of a segment.
@@ -49,9 +54,9 @@ Strain strain_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     s.mean = (a.director + b.director).normalized();
     s.stretch = s.chord.dot(s.mean);
     s.shear = s.chord - s.stretch * s.mean;
-    const Vector3d across = a.director.cross(b.director);
-    const double angle = std::atan2(across.norm(), a.director.dot(b.director));
-    s.bend = across.norm() > 0 ? Vector3d(angle / h * across.normalized()) : Vector3d::Zero();
+    const Vector3d normal = a.director.cross(b.director);
+    const double angle = std::atan2(normal.norm(), a.director.dot(b.director));
+    s.bend = normal.norm() > 0 ? Vector3d(angle / h * normal.normalized()) : Vector3d::Zero();
     const Vector3d& curvature = scene.mesh.segment[k].curvature;
     s.own.setZero();
     for (const PlainNode* n : {&a, &b}) {
@@ -84,17 +89,19 @@ void add_elastic(const Scene& scene, const PlainRod& rod, std::size_t k, Wrench&
     on_b.couple += b.director.cross(change_of_mean * pull_on_mean);
 
     const double twist = rod.twist[k] - section.curvature[0];
-    const Vector3d torque = section.torsional_stiffness * twist / (1 + a.director.dot(b.director)) *
-                            (a.director + b.director);
-    on_a.couple += torque;
-    on_b.couple -= torque;
+    const double torque = section.torsional_stiffness * twist;
+    const Vector3d axis = (a.director + b.director) / (1 + a.director.dot(b.director));
+    on_a.couple += torque * axis;
+    on_b.couple -= torque * axis;
+    on_a.torque += torque;
+    on_b.torque -= torque;
 
     // h m . (bend - own), m = EI (bend - own), as the directors turn by a small vector each;
     // bend = f(c) a / h, c = cos b, f = b / sin b
     const Vector3d moment = section.bending_stiffness * (strain.bend - strain.own);
-    const Vector3d across = a.director.cross(b.director);
+    const Vector3d normal = a.director.cross(b.director);
     const double cosine = a.director.dot(b.director);
-    const double angle = std::atan2(across.norm(), cosine);
+    const double angle = std::atan2(normal.norm(), cosine);
     // series of f and b cot b where the difference loses digits
     const double b2 = angle * angle;
     const bool small = angle < 0.1;
@@ -104,16 +111,20 @@ void add_elastic(const Scene& scene, const PlainRod& rod, std::size_t k, Wrench&
     const double cotangent_part =
         small ? -b2 / 3 - b2 * b2 / 45 - std::pow(b2, 3) * 2 / 945 - std::pow(b2, 4) / 4725
               : f * cosine - 1;  // b cot b - 1
-    const double df_dc = cotangent_part / across.squaredNorm();
-    const Vector3d along = df_dc * moment.dot(across) * across;
+    const double df_dc = cotangent_part / normal.squaredNorm();
+    const Vector3d along = df_dc * moment.dot(normal) * normal;
     const auto own_of = [&](const PlainNode& node) {
         return Vector3d(section.curvature[1] * node.material +
                         section.curvature[2] * node.director.cross(node.material));
     };
-    on_a.couple -= along + f * a.director.cross(b.director.cross(moment));
-    on_b.couple -= -along + f * b.director.cross(moment.cross(a.director));
-    on_a.couple += h / 2 * own_of(a).cross(moment);
-    on_b.couple += h / 2 * own_of(b).cross(moment);
+    const Vector3d bending_a =
+        h / 2 * own_of(a).cross(moment) - along - f * a.director.cross(b.director.cross(moment));
+    const Vector3d bending_b =
+        h / 2 * own_of(b).cross(moment) + along - f * b.director.cross(moment.cross(a.director));
+    on_a.couple += bending_a;
+    on_b.couple += bending_b;
+    on_a.torque += bending_a.dot(a.director);
+    on_b.torque += bending_b.dot(b.director);
 }
 
 /// Kelvin-Voigt damping and D_in, with the rates of strain of the half step before.
@@ -139,15 +150,12 @@ void add_internal_damping(const Scene& scene, const PlainRod& rod, std::size_t k
                        twisting / (1 + a.director.dot(b.director)) * (a.director + b.director);
     const Vector3d lean = h / 2 * strain.chord.cross(n);
     const double internal = scene.damping.internal * h / 2;
-    // of the couples of bending and shear only the part across the director acts; a node's torque
-    // is that of twist and of D_in
-    const auto across = [](const Vector3d& v, const Vector3d& t) {
-        return Vector3d(v - v.dot(t) * t);
-    };
     on_a.force += n - internal * g_rate;
     on_b.force += -n - internal * g_rate;
-    on_a.couple += across(m + lean, a.director) + twisting * a.director - internal * k_rate;
-    on_b.couple += across(-m + lean, b.director) - twisting * b.director - internal * k_rate;
+    on_a.couple += m + lean - internal * k_rate;
+    on_b.couple += -m + lean - internal * k_rate;
+    on_a.torque += twisting - internal * k_rate.dot(a.director);
+    on_b.torque += -twisting - internal * k_rate.dot(b.director);
 }
 
 Vector3d turned(const Vector3d& v, double angle, const Vector3d& axis) {
@@ -238,8 +246,10 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
     }
     elastic.front().force -= head.pull;
     elastic.front().couple -= head.couple;
+    elastic.front().torque -= head.couple.dot(rod.node.front().director);
     elastic.back().force += bit.pull;
     elastic.back().couple += bit.couple;
+    elastic.back().torque += bit.couple.dot(rod.node.back().director);
 
     StepAccount account;
     for (std::size_t k = 0; k < nodes; ++k) {
@@ -250,28 +260,30 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
         const double polar = scene.mesh.node[k].polar_inertia;
         const double inertia = scene.inertia[k];
         const Vector3d& t = before.director;
-        const auto along = [&](const Vector3d& v) { return v.dot(t); };
-        const auto across = [&](const Vector3d& v) { return Vector3d(v - v.dot(t) * t); };
 
         Vector3d v = before.velocity +
                      kick / mass * (elastic[k].force / cell + scene.weight[k] * scene.down);
-        double spin = before.spin + kick / polar * along(elastic[k].couple) / cell;
-        // gyroscopic turn about t in two halves, by Cayley's rotation
-        const double half = kick / inertia * polar * (before.spin + spin) / 4;
-        const double angle = 2 * std::atan(half / 2);
-        Vector3d w = turned(before.angular_velocity, angle, t);
-        w += kick / inertia * across(elastic[k].couple) / cell;
-        w = turned(w, angle, t);
+        double spin = before.spin + kick / polar * elastic[k].torque / cell;
+        // I dw/dt = couple + rho Ip s (t x w), the last term the mean of before and after the kick:
+        // (1 - b [t x]) w_after = (1 + a [t x]) w_before + kick couple / I
+        const auto turning = [&](double rate) {
+            Matrix3d product;
+            product << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
+            return Matrix3d(kick / inertia * polar * rate / 2 * product);
+        };
+        const Vector3d given =
+            kick / inertia * across(elastic[k].couple, t) / cell +
+            (Matrix3d::Identity() + turning(before.spin)) * before.angular_velocity;
+        Vector3d w = (Matrix3d::Identity() - turning(spin)).fullPivLu().solve(given);
 
         const Vector3d v_rod = v;
         const Vector3d w_rod = w;
         const double spin_rod = spin;
         const double external = scene.damping.external;
         v = (v + kick / mass * damping[k].force / cell) / (1 + kick / mass * external);
-        w = (w + kick / inertia * across(damping[k].couple) / cell) /
+        w = (w + kick / inertia * across(damping[k].couple, t) / cell) /
             (1 + kick / inertia * external);
-        spin =
-            (spin + kick / polar * along(damping[k].couple) / cell) / (1 + kick / polar * external);
+        spin = (spin + kick / polar * damping[k].torque / cell) / (1 + kick / polar * external);
         if (scene.features.well) surround(scene, k, kick, before.position, node, v, spin, account);
         account.outflow -= cell * (mass * (v - v_rod).dot(before.velocity + v) / 2 +
                                    inertia * (w - w_rod).dot(before.angular_velocity + w) / 2 +
@@ -285,7 +297,7 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
         if (w.norm() > 0)
             node.director = turned(t, 2 * std::atan(drift * w.norm() / 2), w.normalized());
         const Vector3d carried = Quaterniond::FromTwoVectors(t, node.director) * before.material;
-        node.material = turned(carried, 2 * std::atan(drift * spin / 2), node.director);
+        node.material = turned(carried, drift * spin, node.director);
     }
     return account;
 }
