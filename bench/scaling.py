@@ -448,7 +448,8 @@ def main():
     facts.append(("peak", "; ".join(f"{value:.1f} Gflop/s with {number} threads"
                                     for number, value in machine.peak.items())))
     facts.append(("method", f"median of {options.rounds} measurements of {options.seconds} s each, "
-                            "all in turn in random order; wall time; operations and bytes counted "
+                            "all in turn in random order; processor time of one thread, "
+                            "wall time of several; operations and bytes counted "
                             f"in one step at N = {HEADLINE}"))
     folder = measure.results_folder(options.machine)
     stem = "scaling_trial" if options.quick else "scaling"
