@@ -198,9 +198,8 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
             const Triple g_rate =
                 combine(1.0, combine(ih, v_b[k], -ih, v_a[k]), -1.0, cross(mean, d));
             const Triple k_rate = combine(ih, wb, -ih, wa);
-            const double half = 0.5 * h * internal_damping;
-            drag_force.set(k, combine(half, g_rate, 0.0, g_rate));
-            drag_couple.set(k, combine(half, k_rate, 0.0, k_rate));
+            drag_force.set(k, combine(internal_damping, g_rate, 0.0, g_rate));
+            drag_couple.set(k, combine(internal_damping, k_rate, 0.0, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
                 const double g_along = dot(g_rate, m);
                 const double stretching = kelvin_voigt * axial[k] * g_along;
@@ -267,9 +266,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const ConstRows lean_before = rows_at(segments, SegmentRow::lean, first - 1);
     const double* torque_after = segments.row(SegmentRow::torque) + first;
     const double* torque_before = torque_after - 1;
-    const ConstRows drag_force_after = rows_at(segments, SegmentRow::drag_force, first);
     const ConstRows drag_force_before = rows_at(segments, SegmentRow::drag_force, first - 1);
-    const ConstRows drag_couple_after = rows_at(segments, SegmentRow::drag_couple, first);
     const ConstRows drag_couple_before = rows_at(segments, SegmentRow::drag_couple, first - 1);
     const ConstRows viscous_pull_after = rows_at(segments, SegmentRow::viscous_pull, first);
     const ConstRows viscous_pull_before = rows_at(segments, SegmentRow::viscous_pull, first - 1);
@@ -417,10 +414,12 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         const double s_rod = s;
         double turning_work = 0.0;
         if constexpr (damping != Damping::none) {
-            // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit
+            // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit. D_in moves
+            // momentum toward the bit: rates of the segment on the head's side, since the mean of
+            // both segments gains energy where it lags half a step behind
             const Triple w_rod = w;
-            const Triple dragged = combine(ic, drag_force_after[k], ic, drag_force_before[k]);
-            const Triple turned = combine(ic, drag_couple_after[k], ic, drag_couple_before[k]);
+            const Triple dragged = drag_force_before[k];
+            const Triple turned = drag_couple_before[k];
             Triple resisting = combine(-1.0, turned, 0.0, turned);
             Triple pulling = combine(-1.0, dragged, 0.0, dragged);
             double twisting = -dot(turned, t);

@@ -74,8 +74,8 @@ struct SegmentRow {
         viscous_pull = 17,    // 3 rows, as pull, of Kelvin-Voigt damping (N)
         viscous_couple = 20,  // 3 rows, as couple (N m)
         viscous_torque = 23,  // as torque (N m)
-        drag_force = 24,      // 3 rows, D_in h/2 times the rate of stretch and shear (N)
-        drag_couple = 27,     // 3 rows, D_in h/2 times the rate of bending and twist (N m)
+        drag_force = 24,      // 3 rows, D_in times the rate of stretch and shear (N/m)
+        drag_couple = 27,     // 3 rows, D_in times the rate of bending and twist (N)
         viscous_lean = 30,    // 3 rows, couple of Kelvin-Voigt shear on each node (N m)
         rows = 33
     };

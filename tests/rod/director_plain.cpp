@@ -149,12 +149,13 @@ void add_internal_damping(const Scene& scene, const PlainRod& rod, std::size_t k
     const Vector3d m = tau * section.bending_stiffness * across_mean * k_rate +
                        twisting / (1 + a.director.dot(b.director)) * (a.director + b.director);
     const Vector3d lean = h / 2 * strain.chord.cross(n);
-    const double internal = scene.damping.internal * h / 2;
-    on_a.force += n - internal * g_rate;
+    // D_in acts on the node toward the bit
+    const double internal = scene.damping.internal * scene.mesh.cell[k + 1];
+    on_a.force += n;
     on_b.force += -n - internal * g_rate;
-    on_a.couple += m + lean - internal * k_rate;
+    on_a.couple += m + lean;
     on_b.couple += -m + lean - internal * k_rate;
-    on_a.torque += twisting - internal * k_rate.dot(a.director);
+    on_a.torque += twisting;
     on_b.torque += -twisting - internal * k_rate.dot(b.director);
 }
 
