@@ -27,6 +27,23 @@ inner_diameter = 0.1155
 youngs_modulus = "200 GPa"
 )";
 
+/// What holds for both integrators is asked of both.
+class Integrators : public testing::TestWithParam<std::string> {
+  protected:
+    [[nodiscard]] static std::string choice() { return "integrator = \"" + GetParam() + "\"\n"; }
+};
+using RigidMotion = Integrators;
+using Objectivity = Integrators;
+using Symmetry = Integrators;
+
+std::string name_of(const testing::TestParamInfo<std::string>& integrator) {
+    return integrator.param == "leapfrog" ? "Leapfrog" : "DormandPrince";
+}
+const auto both = testing::Values("dormand-prince", "leapfrog");
+INSTANTIATE_TEST_SUITE_P(By, RigidMotion, both, name_of);
+INSTANTIATE_TEST_SUITE_P(By, Objectivity, both, name_of);
+INSTANTIATE_TEST_SUITE_P(By, Symmetry, both, name_of);
+
 double largest_stress(const Profile& profile) {
     double largest = 0;
     for (const Vector6& stress : profile.stress)
@@ -34,7 +51,7 @@ double largest_stress(const Profile& profile) {
     return largest;
 }
 
-TEST(RigidMotion, StraightRodFallsFreelyWithoutStress) {
+TEST_P(RigidMotion, StraightRodFallsFreelyWithoutStress) {
     const test::Run run = test::run("gravity = 9.81\n" + pipe + R"(
         [head]
         motion = "free"
@@ -43,17 +60,16 @@ TEST(RigidMotion, StraightRodFallsFreelyWithoutStress) {
         [mesh]
         segments = 20
         segment_inertia = true
-        [run]
-        integrator = "dormand-prince"
-        duration = 1
-        threads = 1
         [output]
         profile_interval = 0
-    )");
+        [run]
+        duration = 1
+        threads = 1
+        )" + choice());
     const Profile& start = run.profiles.front();
     const Profile& end = run.end();
-    // moments and forces of some 1e-9 of the weight, 8 kN
-    EXPECT_LT(largest_stress(end), 1e-5);
+    // rounding of strains, or of positions, times a stiffness of 1e9 N; the weight is 8 kN
+    EXPECT_LT(largest_stress(end), GetParam() == "leapfrog" ? 1e-3 : 1e-5);
     for (std::size_t k = 0; k < end.position.size(); ++k) {
         const Vector3d fall = end.position[k] - start.position[k];
         EXPECT_LT((fall - Vector3d(0, 0, 9.81 / 2)).norm(), 1e-9);
@@ -73,7 +89,7 @@ Eigen::Vector2d axial_momentum(const Profile& profile, double length) {
     return total;
 }
 
-TEST(RigidMotion, RodStruckAlongItsAxisKeepsTheMomentumOfTheBlow) {
+TEST_P(RigidMotion, RodStruckAlongItsAxisKeepsTheMomentumOfTheBlow) {
     // a blow of 10 N s and 4 N m s within 2 ms; waves then run to and fro
     const test::Run run = test::run("gravity = 0\n" + pipe + R"(
         [head]
@@ -83,16 +99,17 @@ TEST(RigidMotion, RodStruckAlongItsAxisKeepsTheMomentumOfTheBlow) {
         moment = [[0, [0, 0, 0]], [0.001, [0, 0, 4e3]], [0.002, [0, 0, 0]]]
         [mesh]
         segments = 50
-        [run]
-        integrator = "dormand-prince"
-        duration = 0.1
-        threads = 1
         [output]
         profile_interval = 0.01
-    )");
+        [run]
+        duration = 0.1
+        threads = 1
+        )" + choice());
     const Eigen::Vector2d after_blow = axial_momentum(run.profiles[1], 24);
-    EXPECT_NEAR(after_blow[0], 10, 1e-3);
-    EXPECT_NEAR(after_blow[1], 4, 1e-3);
+    // a fixed step sees the peak of the blow to the square of its length, 1e-4 s
+    const double within = GetParam() == "leapfrog" ? 2e-3 : 1e-4;
+    EXPECT_NEAR(after_blow[0], 10, 10 * within);
+    EXPECT_NEAR(after_blow[1], 4, 4 * within);
     EXPECT_GT(largest_stress(run.end()), 100);  // the waves are still there
     for (std::size_t i = 1; i < run.profiles.size(); ++i) {
         const Eigen::Vector2d change = axial_momentum(run.profiles[i], 24) - after_blow;
@@ -102,7 +119,7 @@ TEST(RigidMotion, RodStruckAlongItsAxisKeepsTheMomentumOfTheBlow) {
 
 /// A curved, twisted rod of two components under weight and dead and follower loads, with all
 /// vectors of space as schedules of the scene.
-Case loaded_rod(int segments) {
+Case loaded_rod(int segments, const std::string& integrator) {
     return test::case_from("gravity = 9.81\n" + pipe + R"(
         curvature = [0.02, 0.03, -0.01]
         [[string.component]]
@@ -127,7 +144,7 @@ Case loaded_rod(int segments) {
         [mesh]
         segment_inertia = true
         segments = )" + std::to_string(segments) +
-                           "\n[run]\nintegrator = \"dormand-prince\"\nduration = 0.5\nthreads = 1\n"
+                           "\n[run]\nduration = 0.5\nthreads = 1\n" + integrator +
                            "[output]\nprofile_interval = 0.1\ninterval = 0.1\n");
 }
 
@@ -138,8 +155,8 @@ VectorSchedule turned(const VectorSchedule& schedule, const Matrix3d& turn) {
     return {schedule.times(), values};
 }
 
-TEST(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
-    const Case input = loaded_rod(20);
+TEST_P(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
+    const Case input = loaded_rod(20, choice());
     const Scene scene = build_scene(input);
     const test::Run straight = test::run(scene, input.run, input.output);
     std::mt19937 random(5);
@@ -154,6 +171,10 @@ TEST(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
         other.down = turn * scene.down;
         other.head_frame = turn * scene.head_frame;
         other.head_position = turn * scene.head_position + shift;
+        for (Vector3d& position : other.initial_nodes.position)
+            position = turn * position + shift;
+        for (Vector3d& director : other.initial_nodes.director)
+            director = turn * director;
         other.bit.force = turned(scene.bit.force, turn);
         other.bit.dead_moment = turned(scene.bit.dead_moment, turn);
         const test::Run found = test::run(other, input.run, input.output);
@@ -175,7 +196,7 @@ TEST(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
     }
 }
 
-TEST(Symmetry, MirroredLoadsGiveTheMirroredMotion) {
+TEST_P(Symmetry, MirroredLoadsGiveTheMirroredMotion) {
     // Mirrored in the vertical plane through the rod: East changes sign, and with it couples in the
     // plane and spin, which are axial vectors.
     const auto run_with = [](double side) {
@@ -194,13 +215,12 @@ TEST(Symmetry, MirroredLoadsGiveTheMirroredMotion) {
             [mesh]
             segments = 20
             segment_inertia = true
-            [run]
-        integrator = "dormand-prince"
-            duration = 0.5
-            threads = 1
             [output]
             profile_interval = 0.1
-        )");
+            [run]
+            duration = 0.5
+            threads = 1
+            )" + choice());
     };
     const test::Run right = run_with(1);
     const test::Run left = run_with(-1);
