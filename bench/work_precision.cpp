@@ -38,6 +38,7 @@ struct Job {
     double tolerance = 1e-5;
     int order = 4;
     int stations = 1;
+    int means = 1;
     int threads = 1;
     double seconds = 0;
     int most_repetitions = 1;
@@ -105,6 +106,20 @@ std::vector<double> at_stations(const Profile& profile, int stations) {
     return row;
 }
 
+constexpr std::size_t quantities = 5;  // of a station: three coordinates, tension, twist moment
+
+/// The last of several records, with the mean tension and twist moment of all.
+std::vector<double> with_mean_stress(const std::vector<std::vector<double>>& parts) {
+    std::vector<double> row = parts.back();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (i % quantities < 3) continue;
+        row[i] = 0;
+        for (const std::vector<double>& part : parts)
+            row[i] += part[i] / static_cast<double>(parts.size());
+    }
+    return row;
+}
+
 struct Outcome {
     double wall = 0;       ///< of all advances (s)
     double processor = 0;  ///< of all threads (s)
@@ -117,21 +132,24 @@ Outcome run_once(const Job& job, const Case& input, const Scene& scene) {
     using Clock = std::chrono::steady_clock;
     const Runner runner = make_runner(job, input, scene);
     Outcome outcome;
-    const auto record = [&](double time) {
-        outcome.time.push_back(time);
-        outcome.rows.push_back(at_stations(runner.profile(), job.stations));
-    };
-    record(0.0);
+    outcome.time.push_back(0.0);
+    outcome.rows.push_back(at_stations(runner.profile(), job.stations));
     const double interval = input.output.interval;
     const auto samples = static_cast<int>(input.run.duration / interval + 0.5);
-    for (int i = 1; i <= samples; ++i) {
-        const double end = i * interval;
+    std::vector<std::vector<double>> parts;
+    for (int i = 1; i <= samples * job.means; ++i) {
+        const double end = i * interval / job.means;
         const auto start = Clock::now();
         const std::clock_t processor_start = std::clock();
         runner.advance(end);
         outcome.processor += static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
         outcome.wall += std::chrono::duration<double>(Clock::now() - start).count();
-        record(end);
+        parts.push_back(at_stations(runner.profile(), job.stations));
+        if (i % job.means == 0) {
+            outcome.time.push_back(end);
+            outcome.rows.push_back(with_mean_stress(parts));
+            parts.clear();
+        }
     }
     outcome.statistics = runner.statistics();
     return outcome;
@@ -189,6 +207,7 @@ int main(int count, char** arguments) {
     app.add_option("--tolerance", job.tolerance, "of arkode");
     app.add_option("--order", job.order, "of arkode");
     app.add_option("--stations", job.stations, "stretches between the nodes that are reported");
+    app.add_option("--means", job.means, "samples that a record's stresses are the mean of");
     app.add_option("--threads", job.threads, "of the engine's integrators");
     app.add_option("--seconds", job.seconds, "repeat until the runs have taken so long in all");
     app.add_option("--most-repetitions", job.most_repetitions, "but not more often than this");
