@@ -77,9 +77,13 @@ DRILLSTRAND_INLINE double friction_demand2(const Tangential& force, const Tangen
     return axial * axial + azimuthal * azimuthal;
 }
 
-/// Whether a spring slides (1) or sticks (0) decides which of two coefficients limits it.
-DRILLSTRAND_INLINE Tangential chosen(bool first, const Tangential& a, const Tangential& b) {
-    return {first ? a.axial : b.axial, first ? a.azimuthal : b.azimuthal};
+/// The coefficients that limit a spring: those of sliding (1) or of sticking (0). A sum rather than
+/// a selection, which g++ would turn into two paths.
+DRILLSTRAND_INLINE Tangential limiting(double sliding, const Tangential& slide,
+                                       const Tangential& fixed) {
+    const double sticking = 1.0 - sliding;
+    return {sliding * slide.axial + sticking * fixed.axial,
+            sliding * slide.azimuthal + sticking * fixed.azimuthal};
 }
 
 /// v times `scale`, without the components that have no friction (whose inverse coefficient is 0).
@@ -91,7 +95,7 @@ DRILLSTRAND_INLINE Tangential scaled_where_rough(const Tangential& v, const Tang
 
 /// What a normal force can rub with: a wall that pulls does not.
 DRILLSTRAND_INLINE double pressing_force(double normal) {
-    return normal > 0.0 ? normal : 0.0;
+    return 0.5 * (normal + std::abs(normal));  // exact; a selection would become two paths
 }
 
 /// What brings a force of this demand onto the cone.
@@ -105,7 +109,7 @@ DRILLSTRAND_INLINE double scale_onto_cone(double demand2, double pressing) {
 DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, double normal,
                                              const FrictionParameters& p) {
     const double pressing = pressing_force(normal);
-    const Tangential inverse = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
+    const Tangential inverse = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
     const double demand2 = p.cone * friction_demand2(elastic, inverse);
@@ -121,7 +125,7 @@ DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
                                                  const Tangential& slip, double normal,
                                                  double penetration, const FrictionParameters& p) {
     const double pressing = pressing_force(normal);
-    const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
+    const Tangential limit = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
     const Tangential predictor = {spring.elongation.axial + slip.axial,
                                   spring.elongation.azimuthal + slip.azimuthal};
     const Tangential elastic = {p.stiffness * predictor.axial, p.stiffness * predictor.azimuthal};

@@ -89,7 +89,7 @@ DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const
         dt * (mobility.translation + radius * radius * mobility.rotation) + p.compliance};
     const Tangential b = {spring.elongation.axial + dt * v.l,
                           spring.elongation.azimuthal + dt * (v.t + radius * v.spin)};
-    const Tangential limit = chosen(spring.sliding > 0.5, p.slide_inverse, p.fixed_inverse);
+    const Tangential limit = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
     const double inverse = 1.0 / (a.axial * a.azimuthal);
     const Tangential stick = scaled_where_rough({b.axial * a.azimuthal, b.azimuthal * a.axial},
                                                 p.slide_inverse, inverse);

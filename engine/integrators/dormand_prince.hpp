@@ -25,6 +25,7 @@ class DormandPrince final : public Integrator {
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
     [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+    [[nodiscard]] int threads() const override { return static_cast<int>(workers_.size()); }
 
   private:
     static constexpr std::size_t stages = DormandPrinceTableau::stages;

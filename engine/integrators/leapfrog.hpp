@@ -28,6 +28,7 @@ class Leapfrog final : public Integrator {
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
     [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+    [[nodiscard]] int threads() const override { return static_cast<int>(workers_.size()); }
     [[nodiscard]] std::vector<std::string> warnings() const override;
 
   private:

@@ -17,14 +17,20 @@ void EnergyAudit::add(const EnergyAccount& account) {
     empty_ = false;
 }
 
-double EnergyAudit::residual() const {
-    double moved = 0;
+double EnergyAudit::appeared() const {
+    return (last_.stored() - first_.stored()) + (last_.dissipation - first_.dissipation) -
+           (last_.work - first_.work);
+}
+
+double EnergyAudit::moved() const {
+    double most = 0;
     for (const Range& range : ranges_)
-        moved = std::max(moved, range.most - range.least);
-    if (moved == 0) return 0;
-    const double appeared = (last_.stored() - first_.stored()) +
-                            (last_.dissipation - first_.dissipation) - (last_.work - first_.work);
-    return appeared / moved;
+        most = std::max(most, range.most - range.least);
+    return most;
+}
+
+double EnergyAudit::residual() const {
+    return moved() == 0 ? 0 : appeared() / moved();
 }
 
 }  // namespace drillstrand

@@ -10,11 +10,32 @@
 
 namespace drillstrand {
 
+namespace {
+
+/// Threads for a string of so many blocks where the user leaves the choice: none gets less work
+/// than is worth a meeting at every step.
+int automatic_threads(int blocks) {
+    constexpr int worthwhile_blocks = 8;
+    return std::clamp(blocks / worthwhile_blocks, 1, omp_get_num_procs());
+}
+
+}  // namespace
+
+IntegratorOptions integrator_options(const RunCase& run) {
+    IntegratorOptions options;
+    options.kind = run.integrator;
+    options.absolute_tolerance = run.absolute_tolerance;
+    options.relative_tolerance = run.relative_tolerance;
+    options.cfl = run.cfl;
+    options.threads = run.threads;
+    options.stress_limit = run.stress_limit;
+    return options;
+}
+
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const IntegratorOptions& options) {
-    const int wanted = options.threads > 0 ? options.threads : omp_get_num_procs();
-    // a thread without a block would only wait
     const auto blocks = static_cast<int>(blocks_for(static_cast<std::size_t>(scene.segments) + 1));
-    const int threads = std::clamp(wanted, 1, blocks);
+    const int threads =
+        options.threads > 0 ? std::min(options.threads, blocks) : automatic_threads(blocks);
     switch (options.kind) {
         case IntegratorKind::dormand_prince:
             return std::make_unique<DormandPrince>(

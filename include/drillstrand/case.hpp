@@ -137,12 +137,12 @@ enum class IntegratorKind { dormand_prince, leapfrog };
 
 struct RunCase {
     double duration = 0;  ///< s
-    IntegratorKind integrator = IntegratorKind::dormand_prince;
+    IntegratorKind integrator = IntegratorKind::leapfrog;
     double cfl = 0.9;
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
-    int threads = 0;  ///< 0: all cores
+    int threads = 0;  ///< 0: as many as the string gives work, up to all cores
 };
 
 struct OutputCase {

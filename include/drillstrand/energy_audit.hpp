@@ -13,10 +13,15 @@ class EnergyAudit {
   public:
     void add(const EnergyAccount& account);
 
-    /// (change of stored energy + dissipation - work) over the run so far, divided by the energy
-    /// that moved: the largest swing (largest less smallest value) of kinetic, elastic or
-    /// potential energy, work or dissipation. Positive where energy appeared from nowhere; 0 where
-    /// no energy moved.
+    /// Change of stored energy + dissipation - work over the run so far (J); positive where energy
+    /// appeared from nowhere.
+    [[nodiscard]] double appeared() const;
+
+    /// The energy that moved: the largest swing (largest less smallest value) of kinetic, elastic
+    /// or potential energy, work or dissipation (J).
+    [[nodiscard]] double moved() const;
+
+    /// What appeared, divided by what moved; 0 where no energy moved.
     [[nodiscard]] double residual() const;
 
   private:

@@ -28,18 +28,22 @@ class Integrator {
     [[nodiscard]] virtual SeriesRecord series() const = 0;
     [[nodiscard]] virtual Profile profile() const = 0;
     [[nodiscard]] virtual StepStatistics statistics() const = 0;
+    /// Threads that share the string.
+    [[nodiscard]] virtual int threads() const { return 1; }
     /// What a user should know of the run so far, a sentence each.
     [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 struct IntegratorOptions {
-    IntegratorKind kind = IntegratorKind::dormand_prince;
+    IntegratorKind kind = IntegratorKind::leapfrog;
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
     double cfl = 0.9;
-    int threads = 1;          ///< 0: all cores
+    int threads = 1;          ///< 0: as many as the string gives work, up to all cores
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
 };
+
+IntegratorOptions integrator_options(const RunCase& run);
 
 /// The integrator starts from the scene's initial state at time 0. The scene must outlive it.
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const IntegratorOptions& options);

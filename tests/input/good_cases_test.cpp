@@ -84,7 +84,7 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
     EXPECT_TRUE(input.initial.curvature.isZero(0));
     EXPECT_TRUE(input.initial.offset.isZero(0));
 
-    EXPECT_EQ(input.run.integrator, IntegratorKind::dormand_prince);
+    EXPECT_EQ(input.run.integrator, IntegratorKind::leapfrog);
     EXPECT_EQ(input.run.cfl, 0.9);
     EXPECT_EQ(input.run.stress_limit, 5);
     EXPECT_EQ(input.run.absolute_tolerance, 1e-7);

@@ -88,12 +88,21 @@ void expect_identical_on_any_number_of_threads(Case input) {
     }
 }
 
-TEST(Threads, DoNotChangeADigitOfAStringThatRubsInMud) {
-    expect_identical_on_any_number_of_threads(rubbing_string());
+class Threads : public testing::TestWithParam<IntegratorKind> {
+  protected:
+    static Case string_of_this_integrator() {
+        Case input = rubbing_string();
+        input.run.integrator = GetParam();
+        return input;
+    }
+};
+
+TEST_P(Threads, DoNotChangeADigitOfAStringThatRubsInMud) {
+    expect_identical_on_any_number_of_threads(string_of_this_integrator());
 }
 
-TEST(Threads, DoNotChangeADigitOfAStringWithAFreeHead) {
-    Case input = rubbing_string();
+TEST_P(Threads, DoNotChangeADigitOfAStringWithAFreeHead) {
+    Case input = string_of_this_integrator();
     input.head.motion = HeadMotion::free;
     input.head.rotation = 0;
     input.head.force = Eigen::Vector3d(100, 200, -3000);
@@ -102,8 +111,8 @@ TEST(Threads, DoNotChangeADigitOfAStringWithAFreeHead) {
     expect_identical_on_any_number_of_threads(input);
 }
 
-TEST(Threads, MoreThanBlocksOfNodesAreHarmless) {
-    Case input = rubbing_string();
+TEST_P(Threads, MoreThanBlocksOfNodesAreHarmless) {
+    Case input = string_of_this_integrator();
     input.mesh.segments = 12;
     input.run.duration = 0.05;
     input.run.threads = 1;
@@ -112,10 +121,10 @@ TEST(Threads, MoreThanBlocksOfNodesAreHarmless) {
     expect_identical(run(input).last(), alone.last());
 }
 
-TEST(Threads, RunsInPiecesEqualRunsInOneGo) {
-    const Case input = rubbing_string();
+TEST_P(Threads, RunsInPiecesEqualRunsInOneGo) {
+    const Case input = string_of_this_integrator();
     const Scene scene = build_scene(input);
-    IntegratorOptions options;
+    IntegratorOptions options = integrator_options(input.run);
     options.threads = 2;
     const auto whole = make_integrator(scene, options);
     whole->advance(0.05, 1'000'000);
@@ -125,6 +134,13 @@ TEST(Threads, RunsInPiecesEqualRunsInOneGo) {
     EXPECT_EQ(pieces->statistics().steps, whole->statistics().steps);
     expect_identical(pieces->series(), whole->series());
 }
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Threads,
+                         testing::Values(IntegratorKind::dormand_prince, IntegratorKind::leapfrog),
+                         [](const auto& instance) {
+                             return instance.param == IntegratorKind::leapfrog ? "Leapfrog"
+                                                                               : "DormandPrince";
+                         });
 
 }  // namespace
 }  // namespace drillstrand::test

@@ -55,9 +55,7 @@ Case case_from(const std::string& toml) {
 }
 
 Run run(const Scene& scene, const RunCase& settings, const OutputCase& output) {
-    const auto integrator = make_integrator(
-        scene, {settings.integrator, settings.absolute_tolerance, settings.relative_tolerance,
-                settings.cfl, settings.threads, settings.stress_limit});
+    const auto integrator = make_integrator(scene, integrator_options(settings));
     Run result;
     MemoryObserver observer(result);
     simulate(*integrator, {settings.duration, output.interval, output.profile_interval}, observer);

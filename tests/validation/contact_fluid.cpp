@@ -39,6 +39,7 @@ Case casing_in_mud(InsideOfPipe inside) {
     input.mesh.segments = 10;
     input.mesh.segment_inertia = true;
     input.damping.external = 600;  // brings the string to rest within seconds
+    input.run.integrator = IntegratorKind::dormand_prince;
     input.run.duration = 8;
     input.run.threads = 1;
     input.output.interval = 8;

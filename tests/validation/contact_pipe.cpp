@@ -36,6 +36,7 @@ Case short_pipe(double inclination) {
     input.mesh.segments = 1;
     input.mesh.segment_inertia = true;
     input.head.motion = HeadMotion::free;
+    input.run.integrator = IntegratorKind::dormand_prince;
     input.run.duration = 1;
     input.run.threads = 1;
     input.output.interval = 1;

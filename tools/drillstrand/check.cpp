@@ -10,7 +10,6 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/well.hpp"
-#include "integrator_choice.hpp"
 #include "step_estimate.hpp"
 #include "wording.hpp"
 
@@ -226,13 +225,12 @@ void print_cost(const Case& input, const Scene& scene) {
     const StepEstimate estimate = estimate_step(input, scene);
     const FirstSteps first = time_first_steps(input, scene);
     const double more_steps = std::max(estimate.steps, input.run.duration / first.mean_step);
-    const int threads = integrator_options(input.run).threads;
     fmt::print("Run\n");
     line("duration",
          fmt::format(
              "{:.6g} s, {}, {} thread{}", input.run.duration,
              input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince",
-             threads, threads == 1 ? "" : "s"));
+             first.threads, first.threads == 1 ? "" : "s"));
     line(
         "time step",
         fmt::format("at most about {:.2g} s, for {} ({:.2g} rad/s); {:.2g} s in the first {} steps",

@@ -11,7 +11,6 @@
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
-#include "integrator_choice.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
 #include "wording.hpp"
@@ -141,11 +140,12 @@ int run(const RunOptions& options) {
     Case input = read_case(options.case_path, options.overrides);
     if (options.threads >= 0) input.run.threads = options.threads;
     const Scene scene = build_scene(input);
-    const IntegratorOptions choice = integrator_options(input.run);
-    const auto integrator = make_integrator(scene, choice);
+    const auto integrator = make_integrator(scene, integrator_options(input.run));
 
+    // as asked, or as chosen
+    const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
     watch_signals();
-    Recorder recorder(output, result_header(input, scene, choice.threads), input.run.duration,
+    Recorder recorder(output, result_header(input, scene, threads), input.run.duration,
                       options.quiet);
     try {
         const RunSchedule schedule{input.run.duration, input.output.interval,

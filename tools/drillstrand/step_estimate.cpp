@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "drillstrand/simulation.hpp"
-#include "integrator_choice.hpp"
 
 namespace drillstrand::program {
 
@@ -26,7 +25,7 @@ FirstSteps time_first_steps(const Case& input, const Scene& scene) {
         integrator->advance(input.run.duration, steps_at_once);
     const double spent = std::chrono::duration<double>(Clock::now() - start).count();
     const auto count = static_cast<double>(integrator->statistics().steps);
-    return {count, integrator->time() / count, spent / count};
+    return {count, integrator->time() / count, integrator->threads(), spent / count};
 }
 
 }  // namespace drillstrand::program

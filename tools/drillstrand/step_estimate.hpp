@@ -19,7 +19,8 @@ StepEstimate estimate_step(const Case& input, const Scene& scene);
 /// What the first steps of a run were like on this machine.
 struct FirstSteps {
     double count = 0;
-    double mean_step = 0;       ///< s
+    double mean_step = 0;  ///< s
+    int threads = 1;
     double seconds_a_step = 0;  ///< wall time of an accepted step, with its share of rejected ones
 };
 
