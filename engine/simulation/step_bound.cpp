@@ -34,7 +34,8 @@ struct NodeStiffness {
     double shear = 0;
     double bending = 0;
     double torsion = 0;
-    double length = 0;  ///< of the longer segment (m)
+    double length = 0;                                          ///< of the longer segment (m)
+    double shortest = std::numeric_limits<double>::infinity();  ///< length of the other (m)
 };
 
 NodeStiffness node_stiffness(const StringMesh& mesh, std::size_t node) {
@@ -48,31 +49,34 @@ NodeStiffness node_stiffness(const StringMesh& mesh, std::size_t node) {
         stiffness.bending = std::max(stiffness.bending, s.bending_stiffness / h2);
         stiffness.torsion = std::max(stiffness.torsion, s.torsional_stiffness / h2);
         stiffness.length = std::max(stiffness.length, mesh.length[k]);
+        stiffness.shortest = std::min(stiffness.shortest, mesh.length[k]);
     }
     return stiffness;
 }
 
 /// Fastest motions of the rod near a node: those of neighbours against each other, and of cross
-/// sections against the shear of the rod. `product` of rate and step is what the scheme allows.
+/// sections against the shear of the rod. `product` of rate and step is what the scheme allows for
+/// a rate (1/s) and the inertia of a segment that moves with it (kg, kg m2).
 template <class Product>
 void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const Product& product) {
     const NodeStiffness k = node_stiffness(scene.mesh, node);
     const SectionProperties& section = scene.mesh.node[node];
     const double inertia = scene.inertia[node];
-    const auto offer = [&](double rate2, const char* process) {
+    const auto offer = [&](double rate2, double moved, const char* process) {
         const double rate = std::sqrt(rate2);
-        tightest.offer(rate, product(rate), process);
+        tightest.offer(rate, product(rate, moved * k.shortest), process);
     };
-    offer(4 * k.axial / section.mass, "axial waves");
-    offer(4 * k.torsion / section.polar_inertia, "torsional waves");
+    offer(4 * k.axial / section.mass, section.mass, "axial waves");
+    offer(4 * k.torsion / section.polar_inertia, section.polar_inertia, "torsional waves");
     // At an end, with half a cell, the shortest chord swings against the sections: eigenvalues of
     // chains of N segments, (1 + 3/N) kGA/(m h^2) at most beyond those of the middle.
     const auto segments = static_cast<double>(scene.segments);
     const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
     const double swing = at_end ? (1 + 3 / segments) * k.shear / section.mass : 0.0;
-    offer(k.shear * k.length * k.length / inertia + swing,
+    offer(k.shear * k.length * k.length / inertia + swing, inertia,
           "rotation of the cross sections against shear");
-    offer(4 * k.shear / section.mass + 4 * k.bending / inertia, "zigzags of neighbouring nodes");
+    offer(4 * k.shear / section.mass + 4 * k.bending / inertia, std::min(section.mass, inertia),
+          "zigzags of neighbouring nodes");
 }
 
 }  // namespace
@@ -82,14 +86,16 @@ StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
     const bool leapfrog = integrator == IntegratorKind::leapfrog;
     for (std::size_t node = 0; node < scene.mesh.node.size(); ++node) {
         if (leapfrog) {
-            // Kelvin-Voigt damping acts with the velocities of the last half step
-            offer_rod(tightest, scene, node, [&](double rate) {
-                const double ratio = 0.5 * scene.damping.kelvin_voigt * rate;
+            // Kelvin-Voigt damping and D_in act with the velocities of the last half step; the
+            // latter slows a zigzag at the rate 2 D_in / (inertia of a segment)
+            offer_rod(tightest, scene, node, [&](double rate, double moved) {
+                const double ratio = 0.5 * scene.damping.kelvin_voigt * rate +
+                                     scene.damping.internal / (moved * rate);
                 return leapfrog_oscillation * (std::sqrt(1 + ratio * ratio) - ratio);
             });
             continue;
         }
-        offer_rod(tightest, scene, node, [&](double rate) {
+        offer_rod(tightest, scene, node, [&](double rate, double /*moved*/) {
             // damping beyond the critical one decays with tau omega^2
             const double decay = scene.damping.kelvin_voigt * rate;
             return decay > 1 ? dormand_prince_decay / decay : dormand_prince_oscillation;
