@@ -280,14 +280,14 @@ class Bench:
             command += ["--seconds", "0.3", "--most-repetitions", "15"]
         return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
-    def finish(self, process):
+    def finish(self, process, limit=None):
         """The result of a run, or why there is none."""
         try:
-            out, err = process.communicate(timeout=self.options.limit)
+            out, err = process.communicate(timeout=limit)
         except subprocess.TimeoutExpired:
             process.kill()
             process.communicate()
-            return None, f"took longer than {self.options.limit:g} s"
+            return None, f"took longer than {limit:g} s"
         if process.returncode != 0:
             return None, err.strip().removeprefix("bench_work_precision: error: ")
         result = json.loads(out)
@@ -400,7 +400,7 @@ def study(bench, motion):
             if variant in given_up:
                 last.setdefault(job, (None, given_up[variant]))
                 continue
-            result, why = bench.finish(bench.start(motion, variant, segments, True))
+            result, why = bench.finish(bench.start(motion, variant, segments, True), options.limit)
             if result is None:
                 last[job] = (None, why)
                 if why.startswith("took longer"):
