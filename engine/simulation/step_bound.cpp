@@ -68,14 +68,18 @@ void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const P
     };
     offer(4 * k.axial / section.mass, section.mass, "axial waves");
     offer(4 * k.torsion / section.polar_inertia, section.polar_inertia, "torsional waves");
-    // At an end, with half a cell, the shortest chord swings against the sections: eigenvalues of
-    // chains of N segments, (1 + 3/N) kGA/(m h^2) at most beyond those of the middle.
+    // Inside a rod the fastest motions are cross sections that turn together, kGA/I, or nodes that
+    // zigzag, 4 kGA/(m h^2). At an end, with half a cell, a mode of both is faster. With s their
+    // sum, p their product, a long rod's end swings at s - p/s: q^k times the end's, |q| < 1; one
+    // segment alone at s.
     const auto segments = static_cast<double>(scene.segments);
     const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
-    const double swing = at_end ? (1 + 3 / segments) * k.shear / section.mass : 0.0;
-    offer(k.shear * k.length * k.length / inertia + swing, inertia,
-          "rotation of the cross sections against shear");
-    offer(4 * k.shear / section.mass + 4 * k.bending / inertia, std::min(section.mass, inertia),
+    const double turning = k.shear * k.length * k.length / inertia;
+    const double zigzag = 4 * k.shear / section.mass;
+    const double both = turning + zigzag;
+    const double swing = both - (1 - 1 / segments) * turning * zigzag / both;
+    offer(at_end ? swing : turning, inertia, "rotation of the cross sections against shear");
+    offer(zigzag + 4 * k.bending / inertia, std::min(section.mass, inertia),
           "zigzags of neighbouring nodes");
 }
 
