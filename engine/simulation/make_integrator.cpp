@@ -12,10 +12,10 @@ namespace drillstrand {
 
 namespace {
 
-/// Threads for a string of so many blocks where the user leaves the choice: none gets less work
-/// than is worth a meeting at every step.
+/// Threads for a string of so many blocks where the user leaves the choice. Threads meet at every
+/// step: on a machine with other work a late one costs more than a short string's share is worth.
 int automatic_threads(int blocks) {
-    constexpr int worthwhile_blocks = 8;
+    constexpr int worthwhile_blocks = 32;
     return std::clamp(blocks / worthwhile_blocks, 1, omp_get_num_procs());
 }
 
