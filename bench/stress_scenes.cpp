@@ -19,6 +19,8 @@ constexpr double degree = pi / 180;
 constexpr double rpm = 2 * pi / 60;
 constexpr double steel_density = 7850;  // kg/m3
 constexpr double survey_step = 30;      // m
+// N per m of hole diameter: 40 kN per inch, twice what bits are run with
+constexpr double most_weight_per_hole = 40e3 / inch;
 
 struct Pipe {
     const char* name;
@@ -245,7 +247,8 @@ void draw_damping(Draw& draw, DampingCase& damping) {
 
 /// Rotation, weight and torque on bit; a free head hangs in the balance and is turned by a pulse.
 void draw_loads(Draw& draw, Case& input) {
-    double bearable = std::numeric_limits<double>::infinity();
+    const double hole = input.well->sections.back().diameter;
+    double bearable = most_weight_per_hole * hole;
     for (const Component& c : input.string.components)
         bearable = std::min(bearable, 0.5 * axial_yield(c));
     const double weight = draw.chance(0.15) ? 0 : std::min(draw.uniform(0, 500e3), bearable);
@@ -254,7 +257,6 @@ void draw_loads(Draw& draw, Case& input) {
     input.bit.weight = ramp(start, time, weight);
     input.bit.direction = draw.chance(0.5) ? BitDirection::well : BitDirection::follower;
     input.bit.smoothing_speed = 1 * rpm;
-    const double hole = input.well->sections.back().diameter;
     const double grip = draw.chance(0.3) ? 0 : draw.uniform(0, 0.5);
     if (draw.chance(0.5)) {
         input.bit.friction = grip;
@@ -283,15 +285,16 @@ void draw_loads(Draw& draw, Case& input) {
     }
 }
 
-/// Segments of 5 to 10 m, shorter where the helix under the weight on bit asks for it.
+/// Segments of 5 to 10 m; shorter where four of them would not span the helix that the weight on
+/// bit makes of a component, or that a tenth of the string's weight makes, which friction and the
+/// start can put on any part of it.
 int draw_segments(Draw& draw, const Case& input, double length) {
     double element = draw.uniform(5, 10);
-    const double weight = input.bit.weight.values().back();
-    if (weight > 0) {
-        for (const Component& c : input.string.components) {
-            const double pitch = std::sqrt(8 * pi * pi * bending_stiffness(c) / weight);
-            element = std::min(element, pitch / 4);
-        }
+    const double compression =
+        std::max(input.bit.weight.values().back(), 0.1 * std::abs(hanging_weight(input)));
+    for (const Component& c : input.string.components) {
+        const double pitch = std::sqrt(8 * pi * pi * bending_stiffness(c) / compression);
+        element = std::min(element, pitch / 4);
     }
     return std::max(4, static_cast<int>(std::round(length / element)));
 }

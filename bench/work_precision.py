@@ -235,7 +235,7 @@ MOTIONS = [
            survey=CURVED_SURVEY, quick={"run.duration": 2}, means=10),
     Motion("well-1", "Well 1, drilling", 86, 43,
            {"head.rotation": '[[0.5, 0], [2, "1.83 Hz"]]', "bit.weight": '[[4, 0], [6, "65 kN"]]',
-            "bit.torque": '[[4, 0], [6, "10 kN m"]]', "run.duration": 10, "output.interval": 0.1},
+            "bit.torque": '[[4, 0], [6, "10 kN m"]]', "run.duration": 6, "output.interval": 0.1},
            "error of tension and twist moment, of their ranges", case="well1.toml", means=10,
            quick={"run.duration": 3, "bit.weight": '[[1, 0], [2, "65 kN"]]',
                   "bit.torque": '[[1, 0], [2, "10 kN m"]]'}),
@@ -289,7 +289,8 @@ class Bench:
             process.communicate()
             return None, f"took longer than {limit:g} s"
         if process.returncode != 0:
-            return None, err.strip().removeprefix("bench_work_precision: error: ")
+            why = err.strip().removeprefix("bench_work_precision: error: ")
+            return None, why or f"ended with code {process.returncode}"
         result = json.loads(out)
         rows = np.array(result.pop("rows"))
         result["rows"] = rows.reshape(len(rows), -1, QUANTITIES)

@@ -36,6 +36,18 @@ DRILLSTRAND_INLINE double implicit_normal_force(double penetration, double veloc
     return penetration > 0.0 ? bounded : 0.0;
 }
 
+/// Speed v_r (m/s) that keeps a node which moves around the well with v_t at its distance from the
+/// axis: within a step it moves straight on, and comes to (e - dt v_r)^2 + (dt v_t)^2 = e^2. It is
+/// v_r less this speed that springs and dashpots see: at v_r itself they would miss dt v_t^2 / 2 e,
+/// and a stiff dashpot let a whirling node creep into the wall. A way longer than e counts as e.
+DRILLSTRAND_INLINE double circling_speed(double eccentricity, double velocity_t, double dt) {
+    constexpr double tiny = 1e-30;
+    const double e = eccentricity;
+    const double speed = std::abs(velocity_t);
+    const double way = dt * speed < e ? dt * speed : e;
+    return speed * way / (e + std::sqrt(e * e - way * way) + tiny);
+}
+
 /// A friction spring and the force with which it acts on the pipe, at the end of the step.
 struct FrictionStep {
     FrictionSpring spring;

@@ -510,7 +510,8 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
             const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
             const double dr = depth[k];
-            const double normal = implicit_normal_force(dr, u.r, normal_stiffness, dashpot[k],
+            const double approach = u.r - circling_speed(eccentricity[k], u.t, kick);
+            const double normal = implicit_normal_force(dr, approach, normal_stiffness, dashpot[k],
                                                         least_normal, kick, mobility);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};

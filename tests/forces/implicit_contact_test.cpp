@@ -106,6 +106,35 @@ TEST(ImplicitNormalForce, ReturnsNoNodeFasterThanItCame) {
     }
 }
 
+TEST(ImplicitNormalForce, HoldsANodeThatCirclesInTheWellAtTheDepthOfItsCentrifugalForce) {
+    // whatever the dashpot: it acts on the distance from the axis, not on the way around it
+    const double mass = 43;         // kg/m
+    const double speed = 5;         // m/s
+    const double clearance = 0.04;  // m
+    const double stiffness = 5e7;   // Pa
+    const double dt = 1e-3;         // s
+    const double depth = mass * speed * speed / (clearance * stiffness);
+    for (const double damping : {0.0, 1e4, 1e6, 1e8}) {
+        Eigen::Vector2d position(clearance + depth, 0);
+        Eigen::Vector2d velocity(0, speed);
+        for (int step = 0; step < 20000; ++step) {
+            const double eccentricity = position.norm();
+            const Eigen::Vector2d r = -position / eccentricity;
+            const double around = velocity.dot(Eigen::Vector2d(-r.y(), r.x()));
+            const double approach = velocity.dot(r) - circling_speed(eccentricity, around, dt);
+            velocity += dt / mass *
+                        implicit_normal_force(eccentricity - clearance, approach, stiffness,
+                                              damping, 0, dt, {dt / mass, 0}) *
+                        r;
+            position += dt * velocity;
+            if (step < 2000) continue;
+            ASSERT_NEAR(position.norm() - clearance, depth, 0.1 * depth)
+                << "step " << step << ", damping " << damping;
+        }
+        EXPECT_NEAR(velocity.norm(), speed, 0.01 * speed) << "damping " << damping;
+    }
+}
+
 // --- friction
 
 /// The force on the cone by bisection in the logarithm of lambda, in long double.

@@ -190,7 +190,8 @@ TEST_P(DirectorKernelsOn, TakeTheStepWrittenNodeByNode) {
         EXPECT_LT(difference([](const PlainNode& n) { return n.velocity; }), rounding);
         EXPECT_LT(difference([](const PlainNode& n) { return n.angular_velocity; }), rounding);
         EXPECT_LT(difference([](const PlainNode& n) { return Vector3d(n.spin, 0, 0); }), rounding);
-        EXPECT_LT(difference([](const PlainNode& n) { return n.position; }), rounding);
+        // of positions far from the origin, which move by millimetres
+        EXPECT_LT(difference([](const PlainNode& n) { return n.position; }), 5 * rounding);
         EXPECT_LT(difference([](const PlainNode& n) { return n.director; }), rounding);
         if (GetParam().curved) {
             EXPECT_LT(difference([](const PlainNode& n) { return n.material; }), rounding);

@@ -186,7 +186,11 @@ void surround(const Scene& scene, std::size_t k, double kick, const Vector3d& po
     if (depth > 0) {
         // spring and dashpot at the end of the step
         const double resistance = scene.normal_damping[k] + kick * scene.contact.normal_stiffness;
-        double normal = (scene.contact.normal_stiffness * depth - resistance * u[0]) /
+        // what a straight step needs to stay at its distance from the axis
+        const double way = std::min(kick * std::abs(u[2]), eccentricity);
+        const double circling = std::abs(u[2]) * way /
+                                (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
+        double normal = (scene.contact.normal_stiffness * depth - resistance * (u[0] - circling)) /
                         (1 + resistance * kick / mass);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         const WellVelocity star = {u[0], u[1], u[2], spin};
