@@ -133,6 +133,15 @@ struct InitialCase {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< shift of the string (m)
 };
 
+/// What a string does while its equilibrium is sought.
+enum class StringMotion { rest, rotating, tripping_in, tripping_out, sliding };
+
+struct EquilibriumCase {
+    StringMotion motion = StringMotion::rest;
+    std::optional<double> axial_speed;  ///< m/s, down the well; unset: as the motion says
+    std::optional<double> rotation;     ///< rad/s about d3; unset: as the motion says
+};
+
 enum class IntegratorKind { dormand_prince, leapfrog };
 
 struct RunCase {
@@ -163,6 +172,7 @@ struct Case {
     ContactCase contact;
     DampingCase damping;
     InitialCase initial;
+    EquilibriumCase equilibrium;
     RunCase run;
     OutputCase output;
     std::filesystem::path path;  ///< the case file
