@@ -53,17 +53,21 @@ shear_stiffness = {:.17g}
            more + "\n";
 }
 
-std::string mesh_and_run(int segments, bool segment_inertia, double duration) {
+std::string mesh_and_run(IntegratorKind integrator, int segments, bool segment_inertia,
+                         double duration) {
     return fmt::format(R"(
 [mesh]
 segments = {}
 segment_inertia = {}
 [run]
-integrator = "dormand-prince"
+integrator = "{}"
 duration = {:.17g}
+stress_limit = 0
 threads = 1
 )",
-                       segments, segment_inertia, duration);
+                       segments, segment_inertia,
+                       integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince",
+                       duration);
 }
 
 std::string list(const Eigen::Vector3d& v) {

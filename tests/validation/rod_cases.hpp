@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "support/both_integrators.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand::test {
@@ -31,8 +32,9 @@ struct Section {
 };
 std::string section_component(const Section& section, const std::string& more = "");
 
-/// [mesh] and [run] tables.
-std::string mesh_and_run(int segments, bool segment_inertia, double duration);
+/// [mesh] and [run] tables. Validation goes where no pipe would last: no stress limit.
+std::string mesh_and_run(IntegratorKind integrator, int segments, bool segment_inertia,
+                         double duration);
 
 /// Lists of numbers as TOML has them.
 std::string list(const Eigen::Vector3d& v);

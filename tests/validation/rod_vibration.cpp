@@ -20,6 +20,9 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 using namespace test;
 
+using RodVibration = BothIntegrators;
+INSTANTIATE_TEST_SUITE_P(By, RodVibration, both_integrators, integrator_name);
+
 /// A complex signal at times 0, step, 2 step, ...
 struct Signal {
     std::vector<std::complex<double>> value;
@@ -125,7 +128,7 @@ std::array<double, count> frequencies_after_tap(const std::string& rod,
     return found;
 }
 
-TEST(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
+TEST_P(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
     // exact: transfer matrices in multiple precision, shear coefficient 1 (Hz)
     std::array<double, 3> exact = {0.23437231261569863, 1.4685681558197319, 4.111047292563714};
     for (double& f : exact)
@@ -134,8 +137,8 @@ TEST(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
     expect_second_order(
         exact,
         [&](int segments) {
-            return frequencies_after_tap(table_2_pipe(), exact, mesh_and_run(segments, true, 30),
-                                         10);
+            return frequencies_after_tap(table_2_pipe(), exact,
+                                         mesh_and_run(integrator(), segments, true, 30), 10);
         },
         7, 2e-3);
 }
@@ -151,7 +154,7 @@ Section thick_beam(double shear) {
             .shear = shear};
 }
 
-TEST(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
+TEST_P(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
     struct Beam {
         double shear;
         std::array<double, 3> exact;  // rad/s, exact characteristic equation
@@ -166,20 +169,20 @@ TEST(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
             beam.exact,
             [&](int segments) {
                 return frequencies_after_tap(section_component(thick_beam(beam.shear)), beam.exact,
-                                             mesh_and_run(segments, false, 30), 1e-3);
+                                             mesh_and_run(integrator(), segments, false, 30), 1e-3);
             },
             15, 5e-4);
     }
 }
 
-TEST(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
+TEST_P(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
     // independent: Chebyshev collocation of the tensioned beam, 100 m of table 3 pipe, g = 9.81
     const std::array<double, 3> exact = {0.394717, 1.042393, 2.102437};
     // measured: -0.53, -3.5 and -6.1 over the square of the number of segments
     const auto frequencies = [&](int segments) {
-        const test::Run result =
-            run("gravity = 9.81\n" + table_3_pipe(100) + mesh_and_run(segments, true, 120) +
-                tap_on_bit({0, 10, 0}, 0.5) + output_every(0.1));
+        const test::Run result = run("gravity = 9.81\n" + table_3_pipe(100) +
+                                     mesh_and_run(integrator(), segments, true, 120) +
+                                     tap_on_bit({0, 10, 0}, 0.5) + output_every(0.1));
         const Signal signal = bit_motion(result, 0.5, Vector3d::UnitY(), Vector3d::Zero());
         std::array<double, 3> found{};
         for (std::size_t i = 0; i < exact.size(); ++i)
@@ -189,7 +192,7 @@ TEST(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
     expect_second_order(exact, frequencies, 10, 2e-3);
 }
 
-TEST(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
+TEST_P(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
     // exact: linear rotor dynamics of the thick beam, k = 1, polar inertia 2 rho I, at 10 rad/s.
     // The drive speeds up within five torsional periods 4 L/c, c2 = GJ/(rho Ip) = 200, so that no
     // torsional vibration is left.
@@ -197,7 +200,8 @@ TEST(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
     const double backward = 3.3478542392998136;
     const double ramp = 5 * 4 / std::sqrt(200.0);
     const test::Run result =
-        run("gravity = 0\n" + section_component(thick_beam(200)) + mesh_and_run(15, false, 150) +
+        run("gravity = 0\n" + section_component(thick_beam(200)) +
+            mesh_and_run(integrator(), 15, false, 150) +
             fmt::format("[head]\ndirection = [0, 0, 1]\nrotation = [[0, 0], [{:.17g}, 10]]\n"
                         "[bit]\nforce = [[2, [0, 0, 0]], [2.5, [1e-3, 0, 0]], [3, [0, 0, 0]]]\n",
                         ramp) +
@@ -210,7 +214,7 @@ TEST(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
     EXPECT_NEAR((found_forward - found_backward) / (forward - backward), 1, 5e-3);
 }
 
-TEST(RodVibration, UndampedPipeFallsAndSwingsAsAnIndependentSolutionDoes) {
+TEST_P(RodVibration, UndampedPipeFallsAndSwingsAsAnIndependentSolutionDoes) {
     // independent: spectral discontinuous Galerkin solution of the intrinsic equations, converged
     // to the digits given; table 2 pipe let go level, g = 9.81
     struct Instant {
@@ -223,9 +227,9 @@ TEST(RodVibration, UndampedPipeFallsAndSwingsAsAnIndependentSolutionDoes) {
         {1.5, 21.146898634, 10.519013881}, {2, 19.872558851, 12.390616597},
         {3, 22.855870743, 6.869061354},    {4, 23.999496493, -0.018200712}};
     const auto errors = [&](int segments) {
-        const test::Run result =
-            run("gravity = 9.81\n" + table_2_pipe() + mesh_and_run(segments, true, 4) +
-                "[head]\ndirection = [1, 0, 0]\n" + output_every(0.5));
+        const test::Run result = run("gravity = 9.81\n" + table_2_pipe() +
+                                     mesh_and_run(integrator(), segments, true, 4) +
+                                     "[head]\ndirection = [1, 0, 0]\n" + output_every(0.5));
         std::vector<double> error;
         for (const Instant& instant : reference) {
             const auto index = static_cast<std::size_t>(std::lround(instant.time / 0.5));

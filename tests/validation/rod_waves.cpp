@@ -14,6 +14,9 @@ namespace {
 
 using namespace test;
 
+using RodWaves = BothIntegrators;
+INSTANTIATE_TEST_SUITE_P(By, RodWaves, both_integrators, integrator_name);
+
 /// Times at which a signal passes its level upward, by linear interpolation.
 std::vector<double> upward_passages(const std::vector<double>& time,
                                     const std::vector<double>& value, double level) {
@@ -43,19 +46,20 @@ void expect_triangle_wave(const std::vector<double>& time, const std::vector<dou
     EXPECT_NEAR((passages[3] - passages[0]) / (3 * period), 1, 1e-3);
 }
 
-std::string four_periods(double period) {
-    return mesh_and_run(96, false, 4 * period) +
+std::string four_periods(IntegratorKind integrator, double period) {
+    return mesh_and_run(integrator, 96, false, 4 * period) +
            fmt::format("[output]\ninterval = {:.17g}\n", period / 100);
 }
 
-TEST(RodWaves, SuddenAxialForceMovesTheFreeEndInATriangleWave) {
+TEST_P(RodWaves, SuddenAxialForceMovesTheFreeEndInATriangleWave) {
     // closed form: twice F L/EA, 4 L/c with c = 5323.7677 m/s
     const double force = 1e5;
     const double period = 0.01803234197268937;
-    const test::Run result = run("gravity = 0\n" + table_2_pipe() + four_periods(period) +
-                                 fmt::format("[head]\ndirection = [1, 0, 0]\n"
-                                             "[bit]\nforce = [{}, 0, 0]\n",
-                                             force));
+    const test::Run result =
+        run("gravity = 0\n" + table_2_pipe() + four_periods(integrator(), period) +
+            fmt::format("[head]\ndirection = [1, 0, 0]\n"
+                        "[bit]\nforce = [{}, 0, 0]\n",
+                        force));
     std::vector<double> time;
     std::vector<double> stretch;
     for (const SeriesRecord& record : result.series) {
@@ -68,12 +72,12 @@ TEST(RodWaves, SuddenAxialForceMovesTheFreeEndInATriangleWave) {
     expect_triangle_wave(time, stretch, force * 24 / table_2_axial_stiffness, period);
 }
 
-TEST(RodWaves, SuddenTorqueTurnsTheFreeEndInATriangleWave) {
+TEST_P(RodWaves, SuddenTorqueTurnsTheFreeEndInATriangleWave) {
     // closed form: twice M L/GJ, 4 L/c with c = 3764.4723 m/s; GJ = EI where nu = 0
     const double moment = 1e3;
     const double period = 4 * 24 / 3764.4723;
     const test::Run result =
-        run("gravity = 0\n" + table_2_pipe() + four_periods(period) +
+        run("gravity = 0\n" + table_2_pipe() + four_periods(integrator(), period) +
             fmt::format("profile_interval = {:.17g}\n[head]\ndirection = [1, 0, 0]\n"
                         "[bit]\nmoment = [{}, 0, 0]\n",
                         period / 100, moment));
@@ -91,8 +95,8 @@ TEST(RodWaves, SuddenTorqueTurnsTheFreeEndInATriangleWave) {
 }
 
 /// Casing of table 4, 515 m long, without friction and weight, for ten seconds.
-test::Run well_1_string(const std::string& loads) {
-    return run("gravity = 0\n" + table_4_pipe() + mesh_and_run(86, true, 10) +
+test::Run well_1_string(IntegratorKind integrator, const std::string& loads) {
+    return run("gravity = 0\n" + table_4_pipe() + mesh_and_run(integrator, 86, true, 10) +
                "[output]\ninterval = 0.002\nprofile_interval = 0\n" + loads);
 }
 
@@ -111,12 +115,12 @@ Range head_range(const test::Run& run, Eigen::Index component, double from) {
     return range;
 }
 
-TEST(RodWaves, RampsOfWeightAndTorqueReachTheTopAsSumsOfTheirReflections) {
+TEST_P(RodWaves, RampsOfWeightAndTorqueReachTheTopAsSumsOfTheirReflections) {
     // closed form (d'Alembert): load at the top 2 sum (-1)^k F(t - (2k + 1) L/c); ramps of 5 s to
     // 10 kN m and 65 kN
-    const test::Run result = well_1_string(
-        "[bit]\nmoment = [[0, [0, 0, 0]], [5, [-10000, 0, 0]]]\n"
-        "weight = [[0, 0], [5, 65000]]\n");
+    const test::Run result = well_1_string(integrator(),
+                                           "[bit]\nmoment = [[0, [0, 0, 0]], [5, [-10000, 0, 0]]]\n"
+                                           "weight = [[0, 0], [5, 65000]]\n");
     struct Instant {
         double time;
         double torque;
@@ -141,9 +145,10 @@ TEST(RodWaves, RampsOfWeightAndTorqueReachTheTopAsSumsOfTheirReflections) {
     EXPECT_NEAR(-force.least, 66271.10140217622, 100);
 }
 
-TEST(RodWaves, SpinUpOfTheTopDriveLeavesTheTorqueRingingByItsDAlembertAmplitude) {
+TEST_P(RodWaves, SpinUpOfTheTopDriveLeavesTheTorqueRingingByItsDAlembertAmplitude) {
     // closed form (d'Alembert): rigid drive, 2 s ramp to 1.83 Hz
-    const test::Run result = well_1_string("[head]\nrotation = [[0, 0], [2, \"1.83 Hz\"]]\n");
+    const test::Run result =
+        well_1_string(integrator(), "[head]\nrotation = [[0, 0], [2, \"1.83 Hz\"]]\n");
     // twist is negative where the head runs ahead; dispersion overshoots the corners by 1 %
     const Range all = head_range(result, 0, 0);
     EXPECT_NEAR(-all.least, 4284.935768568532, 60);
