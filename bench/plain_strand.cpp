@@ -82,6 +82,7 @@ PlainStrand::PlainStrand(const Scene& scene)
             {1 / mesh.cell[k],
              scene.weight[k],
              s.outer_radius,
+             scene.well ? scene.normal_stiffness[k] : 0.0,
              scene.well ? scene.normal_damping[k] : 0.0,
              {{1 / s.polar_inertia, transverse, transverse}, Vector3d::Constant(1 / s.mass)}});
     }
@@ -199,7 +200,7 @@ Six PlainStrand::surroundings(std::size_t node, const Six& velocity) {
     Tangential rub{0, 0};
     double couple = 0;
     if (c.depth > 0) {
-        c.normal = normal_force(c.depth, v_r, p.normal_stiffness, n.normal_damping, p.least_normal);
+        c.normal = normal_force(c.depth, v_r, n.normal_stiffness, n.normal_damping, p.least_normal);
         rub = friction_force(c.spring, c.normal, p.friction);
         force_r = c.normal;
         couple = n.pipe * rub.azimuthal;
@@ -245,7 +246,7 @@ void PlainStrand::advance_springs(double dt, std::size_t begin, std::size_t end)
         if (friction.cone > 0) {
             c.spring = coulomb_spring(c.spring, slip, c.normal, c.depth, friction);
         } else {
-            c.spring = paper_spring(c.spring, slip, parameters_.normal_stiffness * c.depth, c.depth,
+            c.spring = paper_spring(c.spring, slip, node_[k].normal_stiffness * c.depth, c.depth,
                                     friction);
         }
     }

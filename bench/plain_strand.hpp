@@ -65,7 +65,7 @@ class PlainStrand {
         Six stiffness, compliance, unstressed;
     };
     struct Node {
-        double inverse_cell, weight, pipe, normal_damping;
+        double inverse_cell, weight, pipe, normal_stiffness, normal_damping;
         Six inverse_inertia;
     };
     struct Contact {

@@ -13,7 +13,7 @@ template <bool paper_law>
 DRILLSTRAND_INLINE void advance_springs_of_block(
     double* elongation_axial, double* elongation_azimuthal, double* sliding, const double* depth,
     const double* normal, const double* slip_axial, const double* slip_azimuthal, double dt,
-    double normal_stiffness, const FrictionParameters& parameters) {
+    const double* stiffness, const FrictionParameters& parameters) {
     // a copy, which the stores below cannot change: a reference would be read again, by branches
     const FrictionParameters friction = parameters;
 #pragma omp simd
@@ -21,7 +21,7 @@ DRILLSTRAND_INLINE void advance_springs_of_block(
         const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};
         const Tangential slip = {dt * slip_axial[k], dt * slip_azimuthal[k]};
         const FrictionSpring next =
-            paper_law ? paper_spring(spring, slip, normal_stiffness * depth[k], depth[k], friction)
+            paper_law ? paper_spring(spring, slip, stiffness[k] * depth[k], depth[k], friction)
                       : coulomb_spring(spring, slip, normal[k], depth[k], friction);
         elongation_axial[k] = next.elongation.axial;
         elongation_azimuthal[k] = next.elongation.azimuthal;
@@ -31,13 +31,15 @@ DRILLSTRAND_INLINE void advance_springs_of_block(
 
 DRILLSTRAND_KERNEL void advance_coulomb_springs(double* a, double* t, double* s, const double* d,
                                                 const double* n, const double* va, const double* vt,
-                                                double dt, double k, const FrictionParameters& p) {
+                                                double dt, const double* k,
+                                                const FrictionParameters& p) {
     advance_springs_of_block<false>(a, t, s, d, n, va, vt, dt, k, p);
 }
 
 DRILLSTRAND_KERNEL void advance_paper_springs(double* a, double* t, double* s, const double* d,
                                               const double* n, const double* va, const double* vt,
-                                              double dt, double k, const FrictionParameters& p) {
+                                              double dt, const double* k,
+                                              const FrictionParameters& p) {
     advance_springs_of_block<true>(a, t, s, d, n, va, vt, dt, k, p);
 }
 
@@ -46,7 +48,6 @@ DRILLSTRAND_KERNEL void advance_paper_springs(double* a, double* t, double* s, c
 SurroundingsParameters surroundings_parameters(const Scene& scene) {
     SurroundingsParameters p;
     const ContactCase& contact = scene.contact;
-    p.normal_stiffness = contact.normal_stiffness;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
     p.friction =
         friction_parameters(contact.tangential_stiffness,
@@ -79,6 +80,7 @@ Surroundings::Surroundings(const Scene& scene, const std::vector<Eigen::Vector3d
     std::size_t guess = well_->arc_at(well_->measured_depth_start());
     for (std::size_t k = 0; k < nodes; ++k) {
         table_.row(pipe)[k] = scene.mesh.node[k].outer_radius;
+        table_.row(stiffness)[k] = scene.normal_stiffness[k];
         table_.row(damping)[k] = scene.normal_damping[k];
         guess = well_->find_arc(position[k], guess);
         enter_arc(k, guess);
@@ -130,8 +132,7 @@ NodeContact Surroundings::contact(std::size_t node, const Eigen::Vector3d& posit
                    rub.azimuthal * vector(frame.t);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +
                             spring.elongation.azimuthal * spring.elongation.azimuthal;
-    result.spring_energy =
-        0.5 * parameters_.normal_stiffness * dr * dr + 0.5 * p.stiffness * stretch2;
+    result.spring_energy = 0.5 * row(stiffness)[node] * dr * dr + 0.5 * p.stiffness * stretch2;
     return result;
 }
 
@@ -154,7 +155,7 @@ void Surroundings::advance_springs(double dt, std::size_t block) {
     const std::size_t k = block * block_size;
     advance(row(elongation_axial) + k, row(elongation_azimuthal) + k, row(sliding) + k,
             row(depth) + k, row(normal) + k, row(slip_axial) + k, row(slip_azimuthal) + k, dt,
-            parameters_.normal_stiffness, parameters_.friction);
+            row(stiffness) + k, parameters_.friction);
 }
 
 }  // namespace drillstrand

@@ -15,8 +15,7 @@ namespace drillstrand {
 
 /// Constants of the surroundings that all nodes share.
 struct SurroundingsParameters {
-    double normal_stiffness = 0;  ///< k_el (Pa)
-    double least_normal = 0;      ///< 0, or minus infinity where the dashpot may pull (N/m)
+    double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
     FrictionParameters friction{};
     double viscosity = 0;  ///< Pa s
     double film = 0;
@@ -55,6 +54,7 @@ class Surroundings {
         reach,             // its sine / curvature (m); refresh_arcs
         concentric_axial,  // axial drag coefficient where it is concentric, else 0; refresh_arcs
         pipe,              // outer radius of the pipe (m); constant
+        stiffness,         // k_el (Pa); constant
         damping,           // eta_el (Pa s); constant
         elongation_axial,  // friction spring along l (m); advance_springs
         elongation_azimuthal,  // friction spring along t (m); advance_springs

@@ -99,8 +99,9 @@ HeadCase read_head(const Table& root) {
 }
 
 BitCase read_bit(const Table& root, const StringCase& string) {
-    const Table table = root.subtable("bit", {"weight", "torque", "friction", "smoothing_speed",
-                                              "direction", "force", "dead_moment", "moment"});
+    const Table table =
+        root.subtable("bit", {"weight", "torque", "friction", "smoothing_speed", "direction",
+                              "contact_length", "force", "dead_moment", "moment"});
     table.refuse_both("torque", "friction");
 
     const bool in_well = root.find("well").has_value();
@@ -123,6 +124,11 @@ BitCase read_bit(const Table& root, const StringCase& string) {
         {{"well", BitDirection::well}, {"follower", BitDirection::follower}});
     if (bit.direction == BitDirection::well && !in_well) {
         table.require("direction", "").fail("is \"well\" without a well; expected \"follower\"");
+    }
+    bit.contact_length =
+        table.quantity("contact_length", dimension::length, bit.contact_length, not_negative);
+    if (bit.contact_length > 0 && !in_well) {
+        table.require("contact_length", "").fail("has no effect; expected it with a well");
     }
     bit.force = table.vector_schedule("force", dimension::force);
     bit.dead_moment = table.vector_schedule("dead_moment", dimension::moment);

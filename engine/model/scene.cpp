@@ -36,14 +36,21 @@ double damping_ratio_for(double restitution) {
     return 0.5 * (low + high);
 }
 
-std::vector<double> normal_dampings(const ContactCase& contact, const StringMesh& mesh) {
-    std::vector<double> damping;
-    for (const SectionProperties& node : mesh.node) {
-        damping.push_back(contact.restitution ? 2 * damping_ratio_for(*contact.restitution) *
-                                                    std::sqrt(contact.normal_stiffness * node.mass)
-                                              : contact.normal_damping);
+/// Springs and dashpots of the wall at each node. The bit's node carries those of the wall that the
+/// bit touches on the length of its own cell, as it carries every load.
+void set_wall(Scene& scene) {
+    const ContactCase& contact = scene.contact;
+    const StringMesh& mesh = scene.mesh;
+    for (std::size_t k = 0; k < mesh.node.size(); ++k) {
+        const bool is_bit = k + 1 == mesh.node.size();
+        const double width = is_bit ? 1 + scene.bit.contact_length / mesh.cell[k] : 1.0;
+        const double stiffness = width * contact.normal_stiffness;
+        scene.normal_stiffness.push_back(stiffness);
+        scene.normal_damping.push_back(contact.restitution
+                                           ? 2 * damping_ratio_for(*contact.restitution) *
+                                                 std::sqrt(stiffness * mesh.node[k].mass)
+                                           : width * contact.normal_damping);
     }
-    return damping;
 }
 
 /// Weight per length of a node's pipe less that of the fluid it displaces.
@@ -92,7 +99,7 @@ Scene build_scene(const Case& input) {
         } catch (const std::invalid_argument& error) {
             throw InputError({input.path.string()}, error.what());
         }
-        scene.normal_damping = normal_dampings(input.contact, scene.mesh);
+        set_wall(scene);
     }
 
     const bool segment_inertia =

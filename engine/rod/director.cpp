@@ -303,6 +303,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const double* reach = s_row(S::reach);
     const double* concentric_axial = s_row(S::concentric_axial);
     const double* pipe = s_row(S::pipe);
+    const double* stiffness = s_row(S::stiffness);
     const double* dashpot = s_row(S::damping);
     double* elongation_axial = s_row(S::elongation_axial);
     double* elongation_azimuthal = s_row(S::elongation_azimuthal);
@@ -312,7 +313,6 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     double* leaves = s_row(S::leaves);
     const SurroundingsParameters& p = surroundings.parameters();
     const FrictionParameters friction = p.friction;
-    const double normal_stiffness = p.normal_stiffness;
     const double least_normal = p.least_normal;
     const double viscosity = p.viscosity;
     const double film = p.film;
@@ -511,13 +511,13 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
             const double dr = depth[k];
             const double approach = u.r - circling_speed(eccentricity[k], u.t, kick);
-            const double normal = implicit_normal_force(dr, approach, normal_stiffness, dashpot[k],
+            const double normal = implicit_normal_force(dr, approach, stiffness[k], dashpot[k],
                                                         least_normal, kick, mobility);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};
             const FrictionStep rub =
                 has_paper_law(around)
-                    ? paper_step(spring, u, normal_stiffness * dr, dr, pipe[k], kick, mobility,
+                    ? paper_step(spring, u, stiffness[k] * dr, dr, pipe[k], kick, mobility,
                                  friction)
                     : coulomb_step(spring, u, normal, dr, pipe[k], kick, mobility, friction);
             const double slip = rub.spring.sliding > sliding[k] ? 1.0 : 0.0;

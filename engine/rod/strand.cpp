@@ -297,6 +297,7 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
     const double* end_cosine = s_row(S::end_cosine);
     const double* reach = s_row(S::reach);
     const double* pipe = s_row(S::pipe);
+    const double* stiffness = s_row(S::stiffness);
     const double* damping = s_row(S::damping);
     const double* elongation_axial = s_row(S::elongation_axial);
     const double* elongation_azimuthal = s_row(S::elongation_azimuthal);
@@ -308,7 +309,6 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
     double* leaves = s_row(S::leaves);
     const double* concentric_axial = s_row(S::concentric_axial);
     const FrictionParameters friction = around.friction;
-    const double normal_stiffness = around.normal_stiffness;
     const double least_normal = around.least_normal;
     const double viscosity = around.viscosity;
     const double film = around.film;
@@ -372,7 +372,7 @@ DRILLSTRAND_INLINE double nodes_of_block(const StrandModel& model, const BlockTa
             const double w_l = dot(w, l);
 
             const double dr = penetration(frame.eccentricity, hole[k], pipe[k]);
-            const double normal = normal_force(dr, v_r, normal_stiffness, damping[k], least_normal);
+            const double normal = normal_force(dr, v_r, stiffness[k], damping[k], least_normal);
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};
             const Tangential held = friction_force(spring, normal, friction);

@@ -106,7 +106,7 @@ StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
         });
         if (!scene.features.well) continue;
         const double mass = scene.mesh.node[node].mass;
-        tightest.offer(std::sqrt(scene.contact.normal_stiffness / mass), dormand_prince_oscillation,
+        tightest.offer(std::sqrt(scene.normal_stiffness[node] / mass), dormand_prince_oscillation,
                        "contact springs");
         tightest.offer(scene.normal_damping[node] / mass, dormand_prince_decay, "contact dashpots");
         tightest.offer(std::sqrt(scene.contact.tangential_stiffness / mass), leapfrog_oscillation,

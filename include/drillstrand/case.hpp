@@ -95,6 +95,7 @@ struct BitCase {
     std::optional<double> friction;  ///< torque = friction * pi R / 4 * weight instead
     double smoothing_speed = 0;      ///< rad/s below which the torque falls linearly to zero
     BitDirection direction = BitDirection::follower;
+    double contact_length = 0;   ///< of wall that the bit touches besides its node's own cell (m)
     VectorSchedule force;        ///< dead load, space frame (N)
     VectorSchedule dead_moment;  ///< dead couple, space frame (N m)
     VectorSchedule moment;       ///< follower couple about d3, d1, d2 (N m)

@@ -33,9 +33,12 @@ struct InitialNodes {
 struct Scene {
     int segments = 0;  ///< N
     StringMesh mesh;
-    std::vector<double> inertia;         ///< N+1, rho I, plus m h^2/12 with segment inertia (kg m)
-    std::vector<double> weight;          ///< N+1, buoyed weight (N/m)
-    std::vector<double> normal_damping;  ///< N+1, eta_el (Pa s); empty without a well
+    std::vector<double> inertia;  ///< N+1, rho I, plus m h^2/12 with segment inertia (kg m)
+    std::vector<double> weight;   ///< N+1, buoyed weight (N/m)
+    /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
+    /// with the wall that it touches besides. Empty without a well.
+    std::vector<double> normal_stiffness;
+    std::vector<double> normal_damping;
     SceneFeatures features;
     std::optional<Well> well;
     std::optional<FluidCase> fluid;

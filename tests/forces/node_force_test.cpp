@@ -160,7 +160,7 @@ Surface plain_surroundings(const Scene& scene, std::size_t node, const Vector3d&
     if (depth > 0) {
         result.touches = true;
         double normal =
-            scene.contact.normal_stiffness * depth - scene.normal_damping[node] * velocity.dot(r);
+            scene.normal_stiffness[node] * depth - scene.normal_damping[node] * velocity.dot(r);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         const Vector3d rub = plain_friction(scene.contact, spring, normal, l, t);
         result.force = normal * r + rub;

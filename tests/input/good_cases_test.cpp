@@ -161,6 +161,7 @@ weight = "65 kN"
 friction = 1.6
 smoothing_speed = "2 rpm"
 direction = "follower"
+contact_length = "1 ft"
 force = [1, 2, 3]
 dead_moment = [4, 5, 6]
 moment = [[0, [7, 8, 9]]]
@@ -228,6 +229,7 @@ checkpoint_interval = "2 min"
 
     EXPECT_EQ(*input.head.position, Eigen::Vector3d(1, 2, 3));
     EXPECT_TRUE(input.head.direction->isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
+    EXPECT_DOUBLE_EQ(input.bit.contact_length, 0.3048);
     EXPECT_EQ(input.head.motion, HeadMotion::free);
     EXPECT_EQ(input.head.force(30), Eigen::Vector3d(500, 0, 0));
     EXPECT_EQ(input.head.moment(30), Eigen::Vector3d(1, 2, 3000));

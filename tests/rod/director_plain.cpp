@@ -185,19 +185,19 @@ void surround(const Scene& scene, std::size_t k, double kick, const Vector3d& po
     const double depth = eccentricity + pipe - hole;
     if (depth > 0) {
         // spring and dashpot at the end of the step
-        const double resistance = scene.normal_damping[k] + kick * scene.contact.normal_stiffness;
+        const double resistance = scene.normal_damping[k] + kick * scene.normal_stiffness[k];
         // what a straight step needs to stay at its distance from the axis
         const double way = std::min(kick * std::abs(u[2]), eccentricity);
         const double circling = std::abs(u[2]) * way /
                                 (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
-        double normal = (scene.contact.normal_stiffness * depth - resistance * (u[0] - circling)) /
+        double normal = (scene.normal_stiffness[k] * depth - resistance * (u[0] - circling)) /
                         (1 + resistance * kick / mass);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         const WellVelocity star = {u[0], u[1], u[2], spin};
         const FrictionStep rub =
             scene.contact.law == FrictionLaw::coulomb
                 ? coulomb_step(node.spring, star, normal, depth, pipe, kick, mobility, p.friction)
-                : paper_step(node.spring, star, scene.contact.normal_stiffness * depth, depth, pipe,
+                : paper_step(node.spring, star, scene.normal_stiffness[k] * depth, depth, pipe,
                              kick, mobility, p.friction);
         account.impacts += node.depth <= 0 ? 1 : 0;
         account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
