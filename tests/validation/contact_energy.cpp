@@ -10,9 +10,12 @@
 namespace drillstrand::test {
 namespace {
 
+using Energy = BothIntegrators;
+INSTANTIATE_TEST_SUITE_P(By, Energy, both_integrators, integrator_name);
+
 /// 60 m of pipe in a well that bends by 30 degrees, let go and turned at the head.
-Case rubbing_string(int segments) {
-    Case input = short_pipe(0);
+Case rubbing_string(IntegratorKind integrator, int segments) {
+    Case input = short_pipe(integrator, 0);
     input.well->survey = {{0, 0.6, 0}, {20, 0.6, 0}, {60, 1.1, 0.3}, {100, 1.1, 0.3}};
     input.well->sections.front().to = 100;
     FluidCase mud;
@@ -54,8 +57,8 @@ Account account_of(const Case& input) {
     return account;
 }
 
-TEST(Energy, OfARubbingStringIsAccountedForAndDissipationOnlyGrows) {
-    const Account account = account_of(rubbing_string(15));
+TEST_P(Energy, OfARubbingStringIsAccountedForAndDissipationOnlyGrows) {
+    const Account account = account_of(rubbing_string(integrator(), 15));
     EXPECT_GT(account.dissipation, 100);
     EXPECT_LT(account.largest_return, 1e-6 * account.dissipation);
     EXPECT_LT(std::abs(account.residual), 2e-3);
@@ -63,16 +66,27 @@ TEST(Energy, OfARubbingStringIsAccountedForAndDissipationOnlyGrows) {
 
 // Momenta are those of the strains' rate, poses those of the strains: over a bent segment they
 // differ by a part that falls with the square of its length.
-TEST(Energy, ResidualFallsWithTheSquareOfTheSegments) {
-    const double coarse = std::abs(account_of(rubbing_string(15)).residual);
-    const double fine = std::abs(account_of(rubbing_string(30)).residual);
-    EXPECT_LT(fine, 0.35 * coarse);
+TEST(Energy, ResidualOfTheRodOfArcsFallsWithTheSquareOfItsSegments) {
+    const auto residual = [](int segments) {
+        return std::abs(
+            account_of(rubbing_string(IntegratorKind::dormand_prince, segments)).residual);
+    };
+    EXPECT_LT(residual(30), 0.35 * residual(15));
+}
+
+TEST(Energy, ResidualOfTheLeapfrogFallsWithTheSquareOfItsStep) {
+    const auto residual = [](double cfl) {
+        Case input = rubbing_string(IntegratorKind::leapfrog, 60);
+        input.run.cfl = cfl;
+        return std::abs(account_of(input).residual);
+    };
+    EXPECT_LT(residual(0.45), 0.35 * residual(0.9));
 }
 
 /// A weightless flywheel of a pipe: a push of 0.1 s spins it to 20 rad/s and sends it along the
 /// wall, against the sense of its spin. Half a second later friction has brought it to roll.
-test::Run rolling_flywheel(FrictionLaw law) {
-    Case input = short_pipe(0);
+test::Run rolling_flywheel(IntegratorKind integrator, FrictionLaw law) {
+    Case input = short_pipe(integrator, 0);
     input.gravity = 0;
     input.string.components.front().polar_inertia = 10;
     input.contact.law = law;
@@ -88,8 +102,8 @@ test::Run rolling_flywheel(FrictionLaw law) {
     return run(input);
 }
 
-TEST(Energy, OfAPipeThatRollsUnderCoulombsLawOnlyFalls) {
-    const test::Run result = rolling_flywheel(FrictionLaw::coulomb);
+TEST_P(Energy, OfAPipeThatRollsUnderCoulombsLawOnlyFalls) {
+    const test::Run result = rolling_flywheel(integrator(), FrictionLaw::coulomb);
     const double given = result.last().energy.work;
     EXPECT_NEAR(given, 20e3, 100);
     EXPECT_GT(result.last().energy.dissipation, 0);
@@ -98,8 +112,8 @@ TEST(Energy, OfAPipeThatRollsUnderCoulombsLawOnlyFalls) {
 
 // Why contact.law = "paper" is for comparison only: its azimuthal spring does not see that the pipe
 // already rolls, and pushes on.
-TEST(Energy, OfAPipeThatRollsUnderThePapersLawGrowsFromNothing) {
-    const test::Run result = rolling_flywheel(FrictionLaw::paper);
+TEST_P(Energy, OfAPipeThatRollsUnderThePapersLawGrowsFromNothing) {
+    const test::Run result = rolling_flywheel(integrator(), FrictionLaw::paper);
     const double given = result.last().energy.work;
     EXPECT_NEAR(given, 20e3, 100);
     EXPECT_GT(result.last().energy.stored(), 2 * given);

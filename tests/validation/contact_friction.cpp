@@ -13,6 +13,9 @@ namespace {
 using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 
+using Friction = BothIntegrators;
+INSTANTIATE_TEST_SUITE_P(By, Friction, both_integrators, integrator_name);
+
 Vector3d none(double /*time*/) {
     return Vector3d::Zero();
 }
@@ -25,9 +28,9 @@ double way(const Run& result, const Profile& profile, double inclination) {
 
 /// A pipe that lies on the wall, its weight along the well carried for it at first and left to
 /// friction within 1 s.
-double way_of_a_pipe_left_to_friction(double inclination, FrictionCoefficients fixed,
-                                      FrictionCoefficients slide) {
-    Case input = short_pipe(inclination);
+double way_of_a_pipe_left_to_friction(IntegratorKind integrator, double inclination,
+                                      FrictionCoefficients fixed, FrictionCoefficients slide) {
+    Case input = short_pipe(integrator, inclination);
     input.contact.static_friction = fixed;
     input.contact.dynamic_friction = slide;
     input.contact.tangential_stiffness = 1e7;
@@ -43,22 +46,27 @@ double way_of_a_pipe_left_to_friction(double inclination, FrictionCoefficients f
 }
 
 // F4: a pipe slides where the inclination is below atan(1/mu).
-TEST(Friction, PipeSlidesWhereTheInclinationIsBelow67point22DegreesForFrictionOf042) {
+TEST_P(Friction, PipeSlidesWhereTheInclinationIsBelow67point22DegreesForFrictionOf042) {
     const FrictionCoefficients mu = {0.42, 0.42};
-    EXPECT_GT(way_of_a_pipe_left_to_friction((67.2176 - 0.15) * degree, mu, mu), 5e-3);
-    EXPECT_LT(way_of_a_pipe_left_to_friction((67.2176 + 0.15) * degree, mu, mu), 1e-4);
+    EXPECT_GT(way_of_a_pipe_left_to_friction(integrator(), (67.2176 - 0.15) * degree, mu, mu),
+              5e-3);
+    EXPECT_LT(way_of_a_pipe_left_to_friction(integrator(), (67.2176 + 0.15) * degree, mu, mu),
+              1e-4);
 }
 
-TEST(Friction, StaticFrictionDecidesWhetherAPipeStartsToSlide) {
+TEST_P(Friction, StaticFrictionDecidesWhetherAPipeStartsToSlide) {
     const FrictionCoefficients fixed = {0.6, 0.6};
     const FrictionCoefficients slide = {0.42, 0.42};
-    EXPECT_GT(way_of_a_pipe_left_to_friction((59.0362 - 0.15) * degree, fixed, slide), 0.1);
-    EXPECT_LT(way_of_a_pipe_left_to_friction((59.0362 + 0.15) * degree, fixed, slide), 1e-4);
+    EXPECT_GT(way_of_a_pipe_left_to_friction(integrator(), (59.0362 - 0.15) * degree, fixed, slide),
+              0.1);
+    EXPECT_LT(way_of_a_pipe_left_to_friction(integrator(), (59.0362 + 0.15) * degree, fixed, slide),
+              1e-4);
 }
 
 /// Mean acceleration down the well of a pipe that lies on the wall and is let go.
-double sliding_acceleration(double inclination, const ContactCase& contact) {
-    Case input = short_pipe(inclination);
+double sliding_acceleration(IntegratorKind integrator, double inclination,
+                            const ContactCase& contact) {
+    Case input = short_pipe(integrator, inclination);
     input.contact = contact;
     lay_down(input, inclination);
     input.run.duration = 1;
@@ -71,27 +79,31 @@ double sliding_acceleration(double inclination, const ContactCase& contact) {
 }
 
 // The first slip is at 0.6; the spring must not climb back there while the pipe slides.
-TEST(Friction, SlidingPipeIsHeldByDynamicFrictionAlone) {
+TEST_P(Friction, SlidingPipeIsHeldByDynamicFrictionAlone) {
     const ContactCase contact;  // 0.6 static, 0.42 dynamic
     // g (cos - 0.42 sin) with g = 9.81
-    EXPECT_NEAR(sliding_acceleration(30 * degree, contact), 6.435609211, 0.001 * 6.4356);
-    EXPECT_NEAR(sliding_acceleration(45 * degree, contact), 4.023296164, 0.001 * 4.0233);
+    EXPECT_NEAR(sliding_acceleration(integrator(), 30 * degree, contact), 6.435609211,
+                0.001 * 6.4356);
+    EXPECT_NEAR(sliding_acceleration(integrator(), 45 * degree, contact), 4.023296164,
+                0.001 * 4.0233);
 }
 
-TEST(Friction, AxialAndAzimuthalCoefficientsAreTheirOwn) {
+TEST_P(Friction, AxialAndAzimuthalCoefficientsAreTheirOwn) {
     ContactCase contact;
     contact.static_friction = {0.2, 0.9};
     contact.dynamic_friction = {0.1, 0.9};
     const double inclination = 45 * degree;
-    EXPECT_NEAR(sliding_acceleration(inclination, contact), 9.81 * 0.9 * std::sqrt(0.5), 0.007);
+    EXPECT_NEAR(sliding_acceleration(integrator(), inclination, contact),
+                9.81 * 0.9 * std::sqrt(0.5), 0.007);
     contact.static_friction.axial = contact.dynamic_friction.axial = 0;
-    EXPECT_NEAR(sliding_acceleration(inclination, contact), 9.81 * std::sqrt(0.5), 0.007);
+    EXPECT_NEAR(sliding_acceleration(integrator(), inclination, contact), 9.81 * std::sqrt(0.5),
+                0.007);
 }
 
 // F4: a block of 1 m/s stops after v / (mu g) = 0.2427067 s and v^2 / (2 mu g) = 0.1213533 m.
-TEST(Friction, PipePushedToOneMetrePerSecondStopsAfterTwelveCentimetres) {
+TEST_P(Friction, PipePushedToOneMetrePerSecondStopsAfterTwelveCentimetres) {
     const double inclination = 90 * degree;
-    Case input = short_pipe(inclination);
+    Case input = short_pipe(integrator(), inclination);
     lay_down(input, inclination);
     const double friction = 0.42 * pipe_mass * input.gravity;
     const Vector3d push = (pipe_mass * 1.0 / 0.1 + friction) * down_the_well(inclination);
@@ -126,9 +138,9 @@ constexpr double climb = 22.782405730481685 * degree;
 const double slipping_torque = pipe_mass * 9.81 * pipe_radius * std::sin(climb);
 
 /// A pipe in a horizontal well under a torque (N m/m) that comes within 4 s and stays for 3.
-Run turned_pipe(double torque) {
+Run turned_pipe(IntegratorKind integrator, double torque) {
     const double inclination = 90 * degree;
-    Case input = short_pipe(inclination);
+    Case input = short_pipe(integrator, inclination);
     input.contact.static_friction = input.contact.dynamic_friction = {0.42, 0.42};
     input.contact.normal_stiffness = 1e6;
     lay_down(input, inclination);
@@ -150,16 +162,16 @@ double spin(const Profile& profile) {
     return profile.momentum.front()[0] / spin_inertia;
 }
 
-TEST(Friction, PipeUnderLessTorqueRollsUpTheWallAndRests) {
-    const test::Run result = turned_pipe(0.98 * slipping_torque);
+TEST_P(Friction, PipeUnderLessTorqueRollsUpTheWallAndRests) {
+    const test::Run result = turned_pipe(integrator(), 0.98 * slipping_torque);
     // balance of couples about the point of contact
     EXPECT_NEAR(climbed(result.end()), std::asin(0.98 * std::sin(climb)), 0.2 * degree);
     EXPECT_NEAR(spin(result.end()), 0, 0.1);
 }
 
-TEST(Friction, RotatingPipeClimbsToTheAngleOfFrictionAndTheWallTakesItsTorque) {
+TEST_P(Friction, RotatingPipeClimbsToTheAngleOfFrictionAndTheWallTakesItsTorque) {
     const double torque = 1.05 * slipping_torque;
-    const test::Run result = turned_pipe(torque);
+    const test::Run result = turned_pipe(integrator(), torque);
     double angle = 0;
     double normal = 0;
     double samples = 0;
@@ -177,9 +189,9 @@ TEST(Friction, RotatingPipeClimbsToTheAngleOfFrictionAndTheWallTakesItsTorque) {
     EXPECT_NEAR(torque - spin_inertia * acceleration, slipping_torque, 0.005 * slipping_torque);
 }
 
-TEST(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
+TEST_P(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
     // a load of 300 N/m that goes around carries the weightless pipe along the wall
-    Case input = short_pipe(0);
+    Case input = short_pipe(integrator(), 0);
     input.gravity = 0;
     const double press = 300;
     input.initial.offset = (clearance + press / input.contact.normal_stiffness) * Vector3d::UnitX();
@@ -216,7 +228,7 @@ TEST(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
 // --- F1: the pull of a string around a bend falls by exp(mu times the angle)
 
 /// Straight 2 m, a bend of 90 degrees on 20 m, straight 3 m; a limp string clamped at the head.
-double capstan_ratio(double friction) {
+double capstan_ratio(IntegratorKind integrator, double friction) {
     constexpr double bend = 20 * std::numbers::pi / 2;
     Case input;
     input.gravity = 0;
@@ -242,6 +254,7 @@ double capstan_ratio(double friction) {
     input.bit.direction = BitDirection::well;
     input.bit.weight = ScalarSchedule({0, 1.5}, {0, -2e3});  // a pull
     input.run.duration = 1.5;
+    input.run.integrator = integrator;
     input.run.threads = 1;
     input.output.interval = 0.01;
     const test::Run result = run(input);
@@ -255,10 +268,10 @@ double capstan_ratio(double friction) {
     return bottom / top;
 }
 
-TEST(Friction, PullAroundABendFollowsTheCapstan) {
-    EXPECT_NEAR(capstan_ratio(0), 1, 0.002);
-    EXPECT_NEAR(capstan_ratio(0.2), 1.369107770624847, 0.01 * 1.369);
-    EXPECT_NEAR(capstan_ratio(0.6), 2.566332395208135, 0.02 * 2.566);
+TEST_P(Friction, PullAroundABendFollowsTheCapstan) {
+    EXPECT_NEAR(capstan_ratio(integrator(), 0), 1, 0.002);
+    EXPECT_NEAR(capstan_ratio(integrator(), 0.2), 1.369107770624847, 0.01 * 1.369);
+    EXPECT_NEAR(capstan_ratio(integrator(), 0.6), 2.566332395208135, 0.02 * 2.566);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Vector3d low_side(double inclination) {
     return {-std::cos(inclination), 0, std::sin(inclination)};
 }
 
-Case short_pipe(double inclination) {
+Case short_pipe(IntegratorKind integrator, double inclination) {
     Case input;
     input.gravity = 9.81;
     WellCase well;
@@ -36,7 +36,7 @@ Case short_pipe(double inclination) {
     input.mesh.segments = 1;
     input.mesh.segment_inertia = true;
     input.head.motion = HeadMotion::free;
-    input.run.integrator = IntegratorKind::dormand_prince;
+    input.run.integrator = integrator;
     input.run.duration = 1;
     input.run.threads = 1;
     input.output.interval = 1;

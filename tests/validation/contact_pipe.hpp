@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "support/both_integrators.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand::test {
@@ -24,7 +25,7 @@ Eigen::Vector3d low_side(double inclination);
 
 /// Ten metres of that pipe, one segment, both ends free, at rest on the axis of the well. One
 /// segment under equal loads at both ends moves as a rigid body. No fluid; g = 9.81 m/s2.
-Case short_pipe(double inclination);
+Case short_pipe(IntegratorKind integrator, double inclination);
 
 /// Lays the pipe on the low side of the well, in the wall as deep as its weight presses it.
 void lay_down(Case& input, double inclination);
