@@ -6,6 +6,14 @@ namespace {
 
 constexpr int most_threads = 4096;
 
+double read_tolerance(const Value& value, IntegratorKind integrator) {
+    if (integrator == IntegratorKind::dormand_prince)
+        value.fail(
+            "is for the leapfrog; dormand-prince has run.absolute_tolerance and "
+            "run.relative_tolerance");
+    return value.number({.low = 0, .high = 1, .low_open = true});
+}
+
 }  // namespace
 
 InitialCase read_initial(const Table& root) {
@@ -22,7 +30,7 @@ InitialCase read_initial(const Table& root) {
 
 RunCase read_run(const Table& root) {
     const Value value = root.require("run", "a table with duration");
-    const Table table(value, {"duration", "integrator", "cfl", "absolute_tolerance",
+    const Table table(value, {"duration", "integrator", "cfl", "tolerance", "absolute_tolerance",
                               "relative_tolerance", "stress_limit", "threads"});
     RunCase run;
     run.duration = table.require("duration", "a time such as 200 or \"5 min\"")
@@ -32,6 +40,8 @@ RunCase read_run(const Table& root) {
                                      {{"dormand-prince", IntegratorKind::dormand_prince},
                                       {"leapfrog", IntegratorKind::leapfrog}});
     run.cfl = table.number("cfl", run.cfl, {.low = 0, .high = 1, .low_open = true});
+    if (const std::optional<Value> tolerance = table.find("tolerance"))
+        run.tolerance = read_tolerance(*tolerance, run.integrator);
     run.stress_limit = table.number("stress_limit", run.stress_limit, not_negative);
     run.absolute_tolerance = table.number("absolute_tolerance", run.absolute_tolerance, positive);
     run.relative_tolerance = table.number("relative_tolerance", run.relative_tolerance, positive);

@@ -28,6 +28,7 @@ void write(BlockTable& table, std::size_t row, std::ptrdiff_t k, const Eigen::Ve
 }
 
 constexpr std::int64_t steps_between_guards = 16;
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
 /// Force and couple of the outside on an end of the rod, as the segment beyond it would exert them.
 void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vector3d& pull,
@@ -51,15 +52,16 @@ Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
 
 }  // namespace
 
-Leapfrog::Leapfrog(const Scene& scene, double cfl, double stress_limit, int threads)
+Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit,
+                   int threads)
     : scene_(scene),
       model_(scene),
       guards_(scene, model_, stress_limit),
       surroundings_(scene, scene.initial_nodes.position),
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
+      time_error_(tolerance, negligible_energy(scene)),
       blocks_(blocks_for(model_.segments + 1)),
-      block_outflow_(blocks_, 0.0),
-      barrier_(1) {
+      block_outflow_(blocks_, 0.0) {
     const std::size_t nodes = model_.segments + 1;
     for (BlockTable& state : states_) {
         state = BlockTable(director_rows, nodes);
@@ -101,19 +103,30 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double stress_limit, int thre
 }
 
 void Leapfrog::advance(double end, std::int64_t max_steps) {
-    if (end <= time_) return;
-    if (end != course_.end) {
-        const double wanted = std::ceil((end - time_) / bound_ * (1 - 1e-12));
-        course_ = {time_, end, static_cast<std::int64_t>(std::max(wanted, 1.0)), 0};
+    const std::int64_t last =
+        max_steps < no_limit - statistics_.steps ? statistics_.steps + max_steps : no_limit;
+    while (time_ < end && statistics_.steps < last) {
+        while (statistics_.steps == time_error_.due())
+            sample_time_error();
+        if (end != course_.end) {
+            const double longest = bound_ * time_error_.step_factor();
+            const double wanted = std::ceil((end - time_) / longest * (1 - 1e-12));
+            course_ = {time_, end, static_cast<std::int64_t>(std::max(wanted, 1.0)), 0};
+        }
+        take(std::min({course_.steps - course_.done, last - statistics_.steps,
+                       time_error_.due() - statistics_.steps}));
     }
-    const std::int64_t steps = std::min(course_.steps - course_.done, max_steps);
+}
+
+/// Advances by steps of the present course.
+void Leapfrog::take(std::int64_t steps) {
     const double dt = course_.step();
 #pragma omp parallel num_threads(static_cast <int>(workers_.size()))
     {
         // the team may be smaller than asked for
         const int threads = omp_get_num_threads();
 #pragma omp single
-        barrier_.set_threads(threads);
+        meeting_.barrier.set_threads(threads);
         run(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(threads), dt,
             steps);
     }
@@ -128,7 +141,7 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
         double* own = worker.segments.row(SegmentRow::twist);
         if (own != whole) std::copy(whole, whole + blocks_ * block_size, own);
     }
-    if (fault_step_ != no_fault) fail();
+    if (meeting_.fault_step != Meeting::no_fault) fail();
     current_ = (current_ + static_cast<std::size_t>(steps)) % 2;
     course_.done += steps;
     time_ = course_.time(course_.done);
@@ -139,12 +152,50 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
     statistics_.largest_step = std::max(statistics_.largest_step, dt);
 }
 
+/// Repeats the steps to come from here, in the steps of the run and in halves of them. A window in
+/// which a guard stops the run is no sample: the run itself will tell.
+void Leapfrog::sample_time_error() {
+    const double factor = time_error_.step_factor();
+    const double step = bound_ * factor;
+    Leapfrog coarse(*this);
+    coarse.start_again();
+    Leapfrog fine(coarse);
+    coarse.bound_ = step;
+    fine.bound_ = 0.5 * step;
+    const double end = time_ + static_cast<double>(TimeErrorControl::window) * step;
+    try {
+        for (Leapfrog* twin : {&coarse, &fine})
+            twin->advance(end, 2 * TimeErrorControl::window);
+    } catch (const SimulationError&) {
+        time_error_.skip(statistics_.steps);
+        return;
+    }
+    const Profile after = fine.profile();
+    time_error_.add(statistics_.steps, time_, rod_energy(scene_, after),
+                    rod_energy_between(scene_, coarse.profile(), after));
+    // a new step is taken at once
+    if (time_error_.step_factor() != factor) course_ = {};
+}
+
+/// As if the run began here: velocities of the whole step, no samples.
+void Leapfrog::start_again() {
+    Snapshot at = snapshot();
+    finish_bit(at.segments, states_[current_], at.state, {});
+    states_[current_] = std::move(at.state);
+    surroundings_ = std::move(at.surroundings);
+    for (Worker& worker : workers_)
+        worker.segments = at.segments;
+    last_drift_ = 0;
+    course_ = {};
+    time_error_.stop();
+}
+
 /// The time loop: one barrier a step.
 void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps) {
     Worker& worker = workers_[thread];
     worker.begin = blocks_ * thread / threads;
     worker.end = blocks_ * (thread + 1) / threads;
-    barrier_.wait();
+    meeting_.barrier.wait();
     std::size_t current = current_;
     Step step{time_, last_drift_, dt, 0.5 * (last_drift_ + dt)};
     for (std::int64_t i = 0; i < steps; ++i) {
@@ -152,15 +203,15 @@ void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int6
             step_blocks(worker, surroundings_, states_[current], states_[1 - current], step);
         if ((statistics_.steps + i) % steps_between_guards == 0)
             sound = keep_guard(worker, states_[current], step.time) && sound;
-        if (!sound) fault_step_.store(i, std::memory_order_relaxed);
-        barrier_.wait();
-        if (fault_step_.load(std::memory_order_relaxed) <= i) break;
+        if (!sound) meeting_.fault_step.store(i, std::memory_order_relaxed);
+        meeting_.barrier.wait();
+        if (meeting_.fault_step.load(std::memory_order_relaxed) <= i) break;
         current = 1 - current;
         step.time = course_.time(course_.done + i + 1);
         step.last_drift = dt;
         step.kick = dt;
     }
-    barrier_.wait();
+    meeting_.barrier.wait();
 }
 
 /// One step of a worker's blocks: forces at the whole step, velocities and poses to the next.
@@ -203,6 +254,12 @@ bool Leapfrog::keep_guard(Worker& worker, const BlockTable& state, double time) 
     return passes;
 }
 
+StepStatistics Leapfrog::statistics() const {
+    StepStatistics statistics = statistics_;
+    statistics.time_error = time_error_.largest();
+    return statistics;
+}
+
 std::vector<std::string> Leapfrog::warnings() const {
     CoarsestSegment coarsest;
     for (const Worker& worker : workers_) {
@@ -210,6 +267,7 @@ std::vector<std::string> Leapfrog::warnings() const {
     }
     std::vector<std::string> result;
     if (const auto sentence = guards_.warn(coarsest)) result.push_back(*sentence);
+    if (const auto sentence = time_error_.warning()) result.push_back(*sentence);
     return result;
 }
 
@@ -435,6 +493,7 @@ SeriesRecord Leapfrog::series() const {
     record.head_rotation_rate = at.state.row(spin)[0];
     record.bit_rotation_rate = at.state.row(spin)[last];
     record.step_size = last_drift_;
+    record.time_error = time_error_.latest();
     return record;
 }
 
@@ -466,7 +525,7 @@ Profile Leapfrog::profile() const {
 /// Throws for the step at which a worker found that the run cannot go on: a physical guard where
 /// one applies to the state before that step.
 void Leapfrog::fail() const {
-    const std::int64_t step = fault_step_;
+    const std::int64_t step = meeting_.fault_step;
     const double time = course_.time(course_.done + step);
     const BlockTable& state = states_[(current_ + static_cast<std::size_t>(step)) % 2];
     if (const auto guard = guards_.describe(state, workers_.front().segments, time))

@@ -11,6 +11,7 @@
 #include "drillstrand/simulation.hpp"
 #include "forces/surroundings.hpp"
 #include "integrators/guards.hpp"
+#include "integrators/time_error.hpp"
 #include "numerics/barrier.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/director.hpp"
@@ -20,14 +21,14 @@ namespace drillstrand {
 
 class Leapfrog final : public Integrator {
   public:
-    /// `stress_limit`: as in IntegratorOptions.
-    Leapfrog(const Scene& scene, double cfl, double stress_limit, int threads);
+    /// `tolerance`, `stress_limit`: as in IntegratorOptions.
+    Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit, int threads);
 
     void advance(double end, std::int64_t max_steps) override;
     [[nodiscard]] double time() const override { return time_; }
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
-    [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
+    [[nodiscard]] StepStatistics statistics() const override;
     [[nodiscard]] int threads() const override { return static_cast<int>(workers_.size()); }
     [[nodiscard]] std::vector<std::string> warnings() const override;
 
@@ -41,6 +42,17 @@ class Leapfrog final : public Integrator {
         double impacts = 0;
         double slips = 0;
         CoarsestSegment coarsest;
+    };
+
+    /// Where the threads of one object meet; a copy of the object has a place of its own.
+    struct Meeting {
+        static constexpr std::int64_t no_fault = std::numeric_limits<std::int64_t>::max();
+        Barrier barrier{1};
+        /// The step of this advance() that failed. Workers compare it with their own: one that is
+        /// a step ahead must not stop those who still finish the step before.
+        std::atomic<std::int64_t> fault_step{no_fault};
+        Meeting() = default;
+        Meeting(const Meeting&) : Meeting() {}
     };
 
     /// One step: velocities from t - dt/2 to t + dt/2, poses from t to t + dt.
@@ -69,6 +81,9 @@ class Leapfrog final : public Integrator {
         void follow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle);
     };
 
+    void take(std::int64_t steps);
+    void sample_time_error();
+    void start_again();
     void run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps);
     bool step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
                      BlockTable& next, const Step& step);
@@ -109,6 +124,7 @@ class Leapfrog final : public Integrator {
     Guards guards_;
     Surroundings surroundings_;
     double bound_;  ///< cfl times the stability bound (s)
+    TimeErrorControl time_error_;
     std::size_t blocks_;
     std::vector<double> block_outflow_;  ///< per block, energy given to its surroundings (J)
     BlockTable states_[2];
@@ -116,11 +132,7 @@ class Leapfrog final : public Integrator {
     std::vector<Worker> workers_;
     EndFrame head_frame_;
     EndFrame bit_frame_;
-    Barrier barrier_;
-    /// The step of this advance() that failed. Workers compare it with their own: one that is a
-    /// step ahead must not stop those who still finish the step before.
-    static constexpr std::int64_t no_fault = std::numeric_limits<std::int64_t>::max();
-    std::atomic<std::int64_t> fault_step_{no_fault};
+    Meeting meeting_;
 
     double time_ = 0;
     double last_drift_ = 0;

@@ -93,6 +93,7 @@ void read_attributes(const H5::Group& root, Result& result) {
     hdf5::read_attribute(root, "evaluations", footer.statistics.evaluations);
     hdf5::read_attribute(root, "smallest_step", footer.statistics.smallest_step);
     hdf5::read_attribute(root, "largest_step", footer.statistics.largest_step);
+    hdf5::read_attribute(root, "time_error", footer.statistics.time_error);
     hdf5::read_attribute(root, "energy_residual", footer.energy_residual);
 }
 

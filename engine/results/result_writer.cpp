@@ -236,6 +236,7 @@ struct OpenFile {
         hdf5::write_attribute(root, "evaluations", footer.statistics.evaluations);
         hdf5::write_attribute(root, "smallest_step", footer.statistics.smallest_step);
         hdf5::write_attribute(root, "largest_step", footer.statistics.largest_step);
+        hdf5::write_attribute(root, "time_error", footer.statistics.time_error);
         hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
     }
 

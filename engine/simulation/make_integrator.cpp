@@ -27,6 +27,7 @@ IntegratorOptions integrator_options(const RunCase& run) {
     options.absolute_tolerance = run.absolute_tolerance;
     options.relative_tolerance = run.relative_tolerance;
     options.cfl = run.cfl;
+    options.tolerance = run.tolerance;
     options.threads = run.threads;
     options.stress_limit = run.stress_limit;
     return options;
@@ -41,7 +42,8 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Integrator
             return std::make_unique<DormandPrince>(
                 scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads);
         case IntegratorKind::leapfrog:
-            return std::make_unique<Leapfrog>(scene, options.cfl, options.stress_limit, threads);
+            return std::make_unique<Leapfrog>(scene, options.cfl, options.tolerance,
+                                              options.stress_limit, threads);
     }
     throw std::invalid_argument("make_integrator: no such integrator");
 }

@@ -149,6 +149,7 @@ struct RunCase {
     double duration = 0;  ///< s
     IntegratorKind integrator = IntegratorKind::leapfrog;
     double cfl = 0.9;
+    double tolerance = 0;     ///< time error for which the leapfrog shortens its steps; 0: none
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;

@@ -33,6 +33,7 @@ struct SeriesRecord {
     double bit_rotation_rate = 0;                             ///< rad/s about d3
     EnergyAccount energy;
     double step_size = 0;        ///< s, of the last step
+    double time_error = 0;       ///< relative, of the last sample; 0 with dormand_prince
     double max_penetration = 0;  ///< m, 0 without contact
     std::int64_t contact_nodes = 0;
 
@@ -61,6 +62,7 @@ struct StepStatistics {
     std::int64_t evaluations = 0;  ///< of the right-hand side
     double smallest_step = 0;      ///< s; steps cut short to meet a record do not count
     double largest_step = 0;       ///< s
+    double time_error = 0;         ///< largest sampled, relative; 0 with dormand_prince
 };
 
 }  // namespace drillstrand

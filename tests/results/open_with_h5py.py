@@ -21,6 +21,7 @@ SHAPES = {
     "/series/work": (4,),
     "/series/dissipation": (4,),
     "/series/step_size": (4,),
+    "/series/time_error": (4,),
     "/series/max_penetration": (4,),
     "/series/contact_nodes": (4,),
     "/series/impacts": (4,),

@@ -38,6 +38,9 @@ void print_origin(const std::filesystem::path& path, const Result& result) {
     fmt::print("  steps            {} accepted, {} rejected, of {:.3g} to {:.3g} s\n",
                statistics.steps, statistics.rejected, statistics.smallest_step,
                statistics.largest_step);
+    if (result.header.integrator == "leapfrog")
+        fmt::print("  time error       {:.2g} % at most in 16 steps\n",
+                   100 * statistics.time_error);
     fmt::print("  energy residual  {:.2g} %\n", 100 * footer.energy_residual);
 }
 

@@ -103,14 +103,20 @@ void print_warnings(const Recorder& recorder, const Integrator& integrator) {
                residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
 }
 
+/// Of integrators that sample it.
+std::string time_error_text(const StepStatistics& statistics) {
+    if (statistics.time_error == 0) return "";
+    return fmt::format(", time error of 16 steps at most {:.2g} %", 100 * statistics.time_error);
+}
+
 void print_summary(const Recorder& recorder, const Integrator& integrator, const fs::path& output) {
     const StepStatistics statistics = integrator.statistics();
     const double wall = recorder.wall_seconds();
     fmt::print(stderr,
                "drillstrand: {:.6g} s simulated in {}: {:.3g} simulated s per s, {} steps, {} "
-               "rejected. Result: {} (look at it with: drillstrand info {})\n",
+               "rejected{}. Result: {} (look at it with: drillstrand info {})\n",
                integrator.time(), duration_text(wall), integrator.time() / wall, statistics.steps,
-               statistics.rejected, output.string(), output.string());
+               statistics.rejected, time_error_text(statistics), output.string(), output.string());
 }
 
 /// The run broke off: the file says why as far as it can, the error goes on to the caller.
