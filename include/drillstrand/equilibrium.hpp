@@ -38,7 +38,7 @@ struct EquilibriumOptions {
     /// Nodes to start from: those of a neighbouring equilibrium (N+1 nodes, N twists). Without them
     /// the scene's initial nodes.
     std::optional<InitialNodes> start;
-    int max_iterations = 500;  ///< of Newton's method, all load steps together
+    int max_iterations = 2000;  ///< of Newton's method, all load steps together
 };
 
 /// The options that a case asks for in its table [equilibrium].

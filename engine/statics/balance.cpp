@@ -1,0 +1,146 @@
+#include "statics/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace drillstrand {
+
+using Eigen::Vector3d;
+
+Balance::Balance(const Scene& scene, const LoadCase& loads) : scene_(scene) {
+    if (scene.well) {
+        const Well& well = *scene.well;
+        std::size_t guess = well.arc_at(well.measured_depth_start());
+        for (const Vector3d& x : scene.initial_nodes.position) {
+            guess = well.find_arc(x, guess);
+            arc_.push_back(guess);
+        }
+    }
+    set_loads(loads);
+}
+
+void Balance::set_loads(const LoadCase& loads) {
+    loads_ = loads;
+    friction_.clear();
+    for (const SectionProperties& node : scene_.mesh.node) {
+        const FrictionShares full =
+            friction_shares(scene_.contact, loads.motion, node.outer_radius);
+        friction_.push_back({loads.friction * full.axial, loads.friction * full.azimuthal});
+    }
+}
+
+RodSegment Balance::segment(const RodState& state, std::size_t k) const {
+    return {scene_.mesh.length[k], &scene_.mesh.segment[k], state.end(k), state.end(k + 1),
+            state.twist[k]};
+}
+
+const WellArc* Balance::arc(std::size_t node, const Vector3d& position) {
+    if (!scene_.well) return nullptr;
+    arc_[node] = scene_.well->find_arc(position, arc_[node]);
+    return &scene_.well->arcs()[arc_[node]];
+}
+
+WallSite Balance::site(const RodState& state, std::size_t node) {
+    return {arc(node, state.position[node]),
+            state.position[node],
+            state.director[node],
+            scene_.mesh.node[node].outer_radius,
+            std::min(scene_.normal_stiffness[node], loads_.stiffest_wall) * scene_.mesh.cell[node],
+            held_friction_.empty() ? friction_[node] : FrictionShares{}};
+}
+
+BitLoad Balance::bit(const RodState& state) {
+    const std::size_t last = state.twist.size();
+    return bit_load(scene_, loads_.bit, state.end(last), arc(last, state.position[last]));
+}
+
+void Balance::hold_friction(const RodState& state) {
+    free_friction();
+    std::vector<Vector6> held(state.position.size(), Vector6::Zero());
+    for (std::size_t node = 1; node < held.size() && scene_.well; ++node) {
+        const WallLoad wall = wall_load(site(state, node));
+        held[node] << wall.friction, wall.load.tail<3>();
+    }
+    held_friction_ = std::move(held);
+}
+
+Imbalance Balance::imbalance(const RodState& state) {
+    const std::size_t segments = state.twist.size();
+    Imbalance sum;
+    sum.force.assign(segments, Vector6::Zero());
+    sum.loose.assign(segments, Vector6::Zero());
+    const auto add_energy = [&](double energy) {
+        sum.energy += energy;
+        sum.energy_sum += std::abs(energy);
+    };
+    // potentials count from the initial nodes: small numbers
+    const auto sunk = [&](std::size_t node) {
+        return Vector3d(state.position[node] - scene_.initial_nodes.position[node]);
+    };
+    for (std::size_t k = 0; k < segments; ++k) {
+        const SegmentForces forces = segment_forces(segment(state, k));
+        if (k > 0) sum.force[k - 1] += forces.on_a;
+        sum.force[k] += forces.on_b;
+        add_energy(forces.energy);
+
+        const std::size_t node = k + 1;
+        const Vector3d weight =
+            loads_.weight * scene_.mesh.cell[node] * scene_.weight[node] * scene_.down;
+        sum.force[k].head<3>() += weight;
+        add_energy(-weight.dot(sunk(node)));
+        if (!scene_.well) continue;
+        const WallLoad wall = wall_load(site(state, node));
+        sum.force[k] += wall.load;
+        sum.loose[k].head<3>() += wall.friction;
+        sum.loose[k].tail<3>() += wall.load.tail<3>();
+        add_energy(wall.energy);
+        if (held_friction_.empty()) continue;
+        const Vector6& held = held_friction_[node];
+        sum.force[k] += held;
+        sum.loose[k].tail<3>() += held.tail<3>();
+        add_energy(-held.head<3>().dot(sunk(node)));
+    }
+    const BitLoad on_bit = bit(state);
+    sum.force.back() += on_bit.load;
+    sum.loose.back() += on_bit.load;
+    sum.loose.back().head<3>() -= on_bit.dead_force;
+    add_energy(-on_bit.dead_force.dot(sunk(segments)));
+    return sum;
+}
+
+void Balance::stiffness(const RodState& state, BlockTridiagonal& matrix) {
+    const std::size_t segments = state.twist.size();
+    matrix.set_zero();
+    for (std::size_t k = 0; k < segments; ++k) {
+        const SegmentTangent d = segment_tangent(segment(state, k));
+        if (k > 0) {
+            matrix.diagonal[k - 1] -= d.aa;
+            matrix.upper[k - 1] -= d.ab;
+            matrix.lower[k] -= d.ba;
+        }
+        matrix.diagonal[k] -= d.bb;
+        if (scene_.well) matrix.diagonal[k] -= wall_tangent(site(state, k + 1));
+    }
+    matrix.diagonal.back() -= bit(state).tangent;
+}
+
+Vector6 Balance::on_head(const RodState& state) const {
+    Vector6 load = segment_forces(segment(state, 0)).on_a;
+    load.head<3>() += loads_.weight * scene_.mesh.cell[0] * scene_.weight[0] * scene_.down;
+    return load;
+}
+
+std::vector<WallReport> Balance::walls(const RodState& state) {
+    std::vector<WallReport> report(state.position.size(), {Vector3d::Zero(), 0});
+    if (!scene_.well) return report;
+    for (std::size_t node = 1; node < report.size(); ++node) {
+        const WallLoad wall = wall_load(site(state, node));
+        const double per_length = 1 / scene_.mesh.cell[node];
+        report[node].force = per_length * wall.load.head<3>();
+        report[node].normal = per_length * (wall.load.head<3>() - wall.friction).norm();
+    }
+    return report;
+}
+
+}  // namespace drillstrand

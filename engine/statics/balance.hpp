@@ -1,0 +1,74 @@
+/// Balance of forces of a whole string: what is out of balance at each node, and how it changes
+/// with the nodes.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "drillstrand/equilibrium.hpp"
+#include "drillstrand/scene.hpp"
+#include "statics/bit_load.hpp"
+#include "statics/block_tridiagonal.hpp"
+#include "statics/rod_state.hpp"
+#include "statics/wall_load.hpp"
+
+namespace drillstrand {
+
+/// What acts on a string besides its own stresses.
+struct LoadCase {
+    double weight = 1;    ///< factor of the buoyed weight
+    double friction = 1;  ///< factor of the friction
+    /// Walls are no stiffer than this (Pa): on the way to stiff ones.
+    double stiffest_wall = std::numeric_limits<double>::infinity();
+    SteadyMotion motion;
+    BitLoadCase bit;
+};
+
+/// Forces (N) and couples (N m) out of balance on each node but the head, and the energy of those
+/// that have a potential.
+struct Imbalance {
+    NodeMotion force;       ///< sum of all loads, N entries
+    NodeMotion loose;       ///< of these, the loads without a potential
+    double energy = 0;      ///< strain, walls, weight and dead forces (J)
+    double energy_sum = 0;  ///< sum of the magnitudes of its parts (J)
+};
+
+/// Wall on a node, per length as reports show it.
+struct WallReport {
+    Eigen::Vector3d force;  ///< normal and friction (N/m)
+    double normal;          ///< N/m
+};
+
+class Balance {
+  public:
+    Balance(const Scene& scene, const LoadCase& loads);
+
+    [[nodiscard]] const LoadCase& loads() const { return loads_; }
+    void set_loads(const LoadCase& loads);
+
+    /// From now on friction is what it is at this state, as dead forces, until it is set free.
+    void hold_friction(const RodState& state);
+    void free_friction() { held_friction_.clear(); }
+
+    [[nodiscard]] Imbalance imbalance(const RodState& state);
+    /// Minus the derivative of the forces by the motion of the nodes.
+    void stiffness(const RodState& state, BlockTridiagonal& matrix);
+
+    [[nodiscard]] BitLoad bit(const RodState& state);
+    /// Force (N) and couple (N m) of the first segment and of the head's own weight on the head.
+    [[nodiscard]] Vector6 on_head(const RodState& state) const;
+    [[nodiscard]] std::vector<WallReport> walls(const RodState& state);
+
+  private:
+    [[nodiscard]] RodSegment segment(const RodState& state, std::size_t k) const;
+    [[nodiscard]] const WellArc* arc(std::size_t node, const Eigen::Vector3d& position);
+    [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
+
+    const Scene& scene_;
+    LoadCase loads_;
+    std::vector<FrictionShares> friction_;  ///< per node
+    std::vector<Vector6> held_friction_;    ///< per node (N, N m); empty: as the state has it
+    std::vector<std::size_t> arc_;          ///< per node, where it was last
+};
+
+}  // namespace drillstrand

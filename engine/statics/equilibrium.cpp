@@ -1,0 +1,89 @@
+#include "drillstrand/equilibrium.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+#include "drillstrand/simulation.hpp"
+#include "statics/search.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+/// The records that the leapfrog would give of this state, with the walls' steady friction.
+void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) {
+    Scene at_rest = scene;
+    at_rest.initial_nodes = result.nodes;
+    at_rest.head.rotation = {};
+    const auto rod = make_integrator(at_rest, {.kind = IntegratorKind::leapfrog});
+    result.series = rod->series();
+    result.profile = rod->profile();
+    const std::vector<WallReport> walls = search.balance().walls(search.state());
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+        result.profile.contact_force[k] = walls[k].force;
+        result.profile.normal_force[k] = walls[k].normal;
+    }
+    double potential = 0;
+    for (std::size_t k = 0; k < walls.size(); ++k)
+        potential -= scene.mesh.cell[k] * scene.weight[k] *
+                     scene.down.dot(result.nodes.position[k] - scene.initial_nodes.position[k]);
+    result.series.energy.potential = potential;
+}
+
+}  // namespace
+
+SteadyMotion steady_motion(StringMotion motion, double rotation_rate) {
+    switch (motion) {
+        case StringMotion::rest:
+            return {};
+        case StringMotion::rotating:
+            return {0, rotation_rate};
+        case StringMotion::tripping_in:
+        case StringMotion::sliding:
+            return {1, 0};
+        case StringMotion::tripping_out:
+            return {-1, 0};
+    }
+    throw std::invalid_argument("steady_motion: no such motion");
+}
+
+bool bit_is_loaded(StringMotion motion) {
+    return motion != StringMotion::tripping_in && motion != StringMotion::tripping_out;
+}
+
+EquilibriumOptions equilibrium_options(const Case& input) {
+    const EquilibriumCase& wanted = input.equilibrium;
+    constexpr double usual_rate = 2 * std::numbers::pi;  // rad/s
+    const double scheduled = input.head.rotation.values().back();
+    EquilibriumOptions options;
+    options.motion = steady_motion(wanted.motion, scheduled != 0 ? scheduled : usual_rate);
+    if (wanted.axial_speed) options.motion.axial_speed = *wanted.axial_speed;
+    if (wanted.rotation) options.motion.rotation_rate = *wanted.rotation;
+    options.bit_loads = bit_is_loaded(wanted.motion);
+    return options;
+}
+
+Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& options) {
+    if (scene.head.motion == HeadMotion::free)
+        throw std::invalid_argument("find_equilibrium: the head is free");
+    EquilibriumSearch search(scene, options);
+    search.run();
+
+    Equilibrium result;
+    result.nodes = search.state().nodes();
+    report(scene, search, result);
+    const Eigen::Vector3d d3 = scene.head_frame.col(0);
+    const Vector6 on_head = search.balance().on_head(search.state());
+    result.hook_load = on_head.head<3>().dot(d3);
+    result.surface_torque = -on_head.tail<3>().dot(d3);
+    const Vector6 on_bit = search.balance().bit(search.state()).load;
+    result.bit_force = on_bit.head<3>();
+    result.bit_couple = on_bit.tail<3>();
+    result.iterations = search.iterations();
+    result.residual = search.residual();
+    result.stable = search.is_stable();
+    result.warnings = search.warnings();
+    return result;
+}
+
+}  // namespace drillstrand
