@@ -22,8 +22,12 @@ class BothIntegrators : public testing::TestWithParam<IntegratorKind> {
 inline const auto both_integrators =
     testing::Values(IntegratorKind::dormand_prince, IntegratorKind::leapfrog);
 
+inline std::string integrator_label(IntegratorKind integrator) {
+    return integrator == IntegratorKind::leapfrog ? "Leapfrog" : "DormandPrince";
+}
+
 inline std::string integrator_name(const testing::TestParamInfo<IntegratorKind>& instance) {
-    return instance.param == IntegratorKind::leapfrog ? "Leapfrog" : "DormandPrince";
+    return integrator_label(instance.param);
 }
 
 }  // namespace drillstrand::test
