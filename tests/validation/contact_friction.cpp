@@ -158,10 +158,6 @@ double climbed(const Profile& profile) {
     return std::atan2(std::abs(x.y()), x.z());
 }
 
-double spin(const Profile& profile) {
-    return profile.momentum.front()[0] / spin_inertia;
-}
-
 TEST_P(Friction, PipeUnderLessTorqueRollsUpTheWallAndRests) {
     const test::Run result = turned_pipe(integrator(), 0.98 * slipping_torque);
     // balance of couples about the point of contact
@@ -190,39 +186,10 @@ TEST_P(Friction, RotatingPipeClimbsToTheAngleOfFrictionAndTheWallTakesItsTorque)
 }
 
 TEST_P(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
-    // a load of 300 N/m that goes around carries the weightless pipe along the wall
-    Case input = short_pipe(integrator(), 0);
-    input.gravity = 0;
-    const double press = 300;
-    input.initial.offset = (clearance + press / input.contact.normal_stiffness) * Vector3d::UnitX();
-    const auto angle = [](double t) {  // 2 pi rad/s from 2 s on, without corners
-        constexpr double speed = 2 * std::numbers::pi;
-        const double part = std::min(t, 2.0);
-        const double rising =
-            0.5 * (part - std::sin(std::numbers::pi * part / 2) * 2 / std::numbers::pi);
-        return speed * (rising + std::max(t - 2, 0.0));
-    };
-    load(
-        input, 4, 0.005,
-        [angle, press](double t) {
-            return Vector3d(press * Vector3d(std::cos(angle(t)), std::sin(angle(t)), 0));
-        },
-        none);
-    input.run.duration = 4;
-    input.output.profile_interval = 0.002;
-    const test::Run result = run(input);
-    double whirled = 0;
-    double spun = 0;
-    for (std::size_t i = 1501; i < result.profiles.size(); ++i) {  // the last second
-        const Profile& now = result.profiles[i];
-        const Profile& before = result.profiles[i - 1];
-        const Vector3d& a = before.position.front();
-        const Vector3d& b = now.position.front();
-        whirled += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
-        spun += 0.5 * (spin(now) + spin(before)) * (now.time - before.time);
-    }
-    EXPECT_NEAR(whirled, 2 * std::numbers::pi, 0.02);
-    EXPECT_NEAR(whirled / spun, -pipe_radius / clearance, 0.005 * 1.75);  // -1.75
+    const ContactCase contact;
+    const Rolling rolling = rolled_around(run(pipe_carried_around(integrator(), contact)));
+    EXPECT_NEAR(rolling.whirled, 2 * std::numbers::pi, 0.02);
+    EXPECT_NEAR(rolling.whirled / rolling.spun, pure_rolling(contact), 0.005 * 1.75);  // -1.75
 }
 
 // --- F1: the pull of a string around a bend falls by exp(mu times the angle)

@@ -69,4 +69,53 @@ double smooth_step(double time, double begin, double end) {
     return 0.5 * (1 - std::cos(std::numbers::pi * part));
 }
 
+double spin(const Profile& profile) {
+    return profile.momentum.front()[0] / spin_inertia;
+}
+
+namespace {
+constexpr double press = 300;  // N/m, of the load that goes around
+}
+
+double pure_rolling(const ContactCase& contact) {
+    return -pipe_radius / (clearance + press / contact.normal_stiffness);
+}
+
+Case pipe_carried_around(IntegratorKind integrator, const ContactCase& contact) {
+    Case input = short_pipe(integrator, 0);
+    input.gravity = 0;
+    input.contact = contact;
+    input.initial.offset = (clearance + press / contact.normal_stiffness) * Vector3d::UnitX();
+    const auto angle = [](double t) {  // without corners
+        constexpr double speed = 2 * std::numbers::pi;
+        const double part = std::min(t, 2.0);
+        const double rising =
+            0.5 * (part - std::sin(std::numbers::pi * part / 2) * 2 / std::numbers::pi);
+        return speed * (rising + std::max(t - 2, 0.0));
+    };
+    load(
+        input, 4, 0.005,
+        [angle](double t) {
+            return Vector3d(press * Vector3d(std::cos(angle(t)), std::sin(angle(t)), 0));
+        },
+        [](double /*time*/) { return Vector3d(Vector3d::Zero()); });
+    input.run.duration = 4;
+    input.output.profile_interval = 0.002;
+    return input;
+}
+
+Rolling rolled_around(const Run& run) {
+    constexpr std::size_t samples = 500;
+    Rolling rolling;
+    for (std::size_t i = run.profiles.size() - samples; i < run.profiles.size(); ++i) {
+        const Profile& now = run.profiles[i];
+        const Profile& before = run.profiles[i - 1];
+        const Vector3d& a = before.position.front();
+        const Vector3d& b = now.position.front();
+        rolling.whirled += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+        rolling.spun += 0.5 * (spin(now) + spin(before)) * (now.time - before.time);
+    }
+    return rolling;
+}
+
 }  // namespace drillstrand::test

@@ -38,4 +38,22 @@ void load(Case& input, double end, double step, const std::function<Eigen::Vecto
 /// From 0 to 1 without corners between two times.
 double smooth_step(double time, double begin, double end);
 
+/// Spin of the pipe at its head (rad/s).
+double spin(const Profile& profile);
+
+/// A weightless pipe in a vertical well, which a load that goes around carries along the
+/// wall: a turn a second from 2 s on, until 4 s.
+Case pipe_carried_around(IntegratorKind integrator, const ContactCase& contact);
+
+/// Angles around the well and about the pipe's own axis, over the last second of such a run (rad).
+struct Rolling {
+    double whirled = 0;
+    double spun = 0;
+};
+Rolling rolled_around(const Run& run);
+
+/// Whirl over spin of a pipe that rolls around the well as deep in the wall as that load presses
+/// it.
+double pure_rolling(const ContactCase& contact);
+
 }  // namespace drillstrand::test
