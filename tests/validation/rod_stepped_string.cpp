@@ -189,6 +189,41 @@ TEST_P(SteppedString, StretchesByTheSumOfItsPartsWhereverTheJointsLieInTheMesh) 
     EXPECT_NEAR(run(input).last().bit_position.z(), depth, 1e-7);
 }
 
+/// A uniform vertical string on segments of given lengths (m), for which case files have no key.
+Scene scene_on(const Case& input, const std::vector<double>& lengths) {
+    Scene scene = build_scene(input);
+    StringMesh& mesh = scene.mesh;
+    double depth = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        mesh.length[k] = lengths[k];
+        mesh.segment_s[k] = depth + lengths[k] / 2;
+        depth += lengths[k];
+        mesh.node_s[k + 1] = depth;
+        scene.initial_nodes.position[k + 1] = Vector3d(0, 0, depth);
+    }
+    for (std::size_t k = 0; k <= lengths.size(); ++k) {
+        const double above = k > 0 ? lengths[k - 1] : 0;
+        const double below = k < lengths.size() ? lengths[k] : 0;
+        mesh.cell[k] = (above + below) / 2;
+    }
+    return scene;
+}
+
+TEST_P(SteppedString, OnSegmentsOfAllLengthsHangsAsOnEqualOnes) {
+    const std::vector<double> lengths = {20, 60, 35,  90, 15, 15,  140,
+                                         45, 80, 100, 70, 30, 110, 190};
+    Case input = string_of(integrator(), {pipe(1000)}, static_cast<int>(lengths.size()));
+    input.gravity = 9.81;
+    input.bit.force = Vector3d(0, 0, 2e5);
+    input.damping.external = 500;
+    input.run.duration = 8;
+    const SectionProperties section = section_properties(pipe(1000), 1);
+    const double weight = section.mass * input.gravity * 1000;
+    // tension in the middle of a segment is the weight below it, however long it is
+    EXPECT_NEAR(run(scene_on(input, lengths), input.run, input.output).last().bit_position.z(),
+                1000 * (1 + (2e5 + weight / 2) / section.axial_stiffness), 1e-7);
+}
+
 /// Deflection of the tip of a level shaft of three parts, pulled aside so little that it stays
 /// straight but for a thousandth; exactly, and by the engine.
 struct Deflection {
