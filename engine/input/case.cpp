@@ -32,7 +32,7 @@ Case read_case(const std::filesystem::path& path,
     CaseDocument document = load_case_document(path, overrides);
     const Table root(document.root, "",
                      {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit",
-                      "contact", "damping", "initial", "run", "output"});
+                      "contact", "damping", "initial", "torque_drag", "run", "output"});
     const std::filesystem::path folder = path.parent_path();
 
     Case result;
@@ -52,6 +52,7 @@ Case read_case(const std::filesystem::path& path,
     result.damping = read_damping(root);
     result.initial = read_initial(root);
     if (result.well) check_fit(*result.well, string, result.head);
+    result.torque_drag = read_torque_drag(root, result.well, string);
     refuse_unfinished(result, document.root);
     result.path = path;
     result.text = std::move(document.text);

@@ -38,20 +38,6 @@ Eigen::Vector3d read_direction(const Value& value) {
     return direction / length;
 }
 
-/// One coefficient for both directions, or [axial, azimuthal].
-FrictionCoefficients read_friction(const Value& value) {
-    if (!value.is_list()) {
-        const double both = value.number(not_negative);
-        return {both, both};
-    }
-    const std::vector<Value> parts = value.elements("a number or [axial, azimuthal]");
-    if (parts.size() != 2) {
-        value.fail(
-            fmt::format("has {} entries; expected a number or [axial, azimuthal]", parts.size()));
-    }
-    return {parts[0].number(not_negative), parts[1].number(not_negative)};
-}
-
 /// Dynamic coefficients: as given, at most the static ones; left out, the usual ones or the static
 /// ones where those are less.
 FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase& contact) {
@@ -73,6 +59,19 @@ FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase
 }
 
 }  // namespace
+
+FrictionCoefficients read_friction(const Value& value) {
+    if (!value.is_list()) {
+        const double both = value.number(not_negative);
+        return {both, both};
+    }
+    const std::vector<Value> parts = value.elements("a number or [axial, azimuthal]");
+    if (parts.size() != 2) {
+        value.fail(
+            fmt::format("has {} entries; expected a number or [axial, azimuthal]", parts.size()));
+    }
+    return {parts[0].number(not_negative), parts[1].number(not_negative)};
+}
 
 HeadCase read_head(const Table& root) {
     const Table table =

@@ -32,10 +32,21 @@ DampingCase read_damping(const Table& root);
 InitialCase read_initial(const Table& root);
 RunCase read_run(const Table& root);
 OutputCase read_output(const Table& root);
+/// Needs the well and the string, whose place at each depth is checked.
+TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
+                                const StringInput& string);
+
+/// One coefficient for both directions, or [axial, azimuthal].
+FrictionCoefficients read_friction(const Value& value);
 
 /// Throws InputError where the string is longer than the surveyed well or where a component, at
 /// its place below a head at the start of the well, is not thinner than the hole. A head elsewhere
 /// leaves the depths open: then lengths alone are compared.
 void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head);
+
+/// Throws InputError at `where` where a component of the string, its bit at a measured depth and
+/// its top component as long as that takes, is not thinner than the hole.
+void check_fit_at(const WellCase& well, const StringInput& input, double bit_depth,
+                  const SourceLocation& where);
 
 }  // namespace drillstrand

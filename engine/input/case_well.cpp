@@ -137,4 +137,18 @@ void check_fit(const WellCase& well, const StringInput& input, const HeadCase& h
     }
 }
 
+void check_fit_at(const WellCase& well, const StringInput& input, double bit_depth,
+                  const SourceLocation& where) {
+    const double start = well.survey.front().measured_depth;
+    double bottom = bit_depth;
+    for (std::size_t k = input.string.components.size(); k-- > 0 && bottom > start;) {
+        const Component& component = input.string.components[k];
+        const double top = k == 0 ? start : std::max(start, bottom - component.length);
+        const std::string name =
+            fmt::format("with the bit at {:.9g} m, {}", bit_depth, describe(k, component));
+        check_diameter(well, top, bottom, name, component.outer_diameter, where);
+        bottom = top;
+    }
+}
+
 }  // namespace drillstrand

@@ -53,15 +53,6 @@ void set_wall(Scene& scene) {
     }
 }
 
-/// Weight per length of a node's pipe less that of the fluid it displaces.
-double buoyed_weight(const SectionProperties& node, const std::optional<FluidCase>& fluid,
-                     double gravity) {
-    if (!fluid) return node.mass * gravity;
-    const double displaced =
-        fluid->inside == InsideOfPipe::fluid ? node.metal_area : node.outer_area;
-    return (node.mass - fluid->density * displaced) * gravity;
-}
-
 SceneFeatures features_of(const Case& input) {
     SceneFeatures features;
     features.well = input.well.has_value();
@@ -81,6 +72,14 @@ Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3) {
     Eigen::Matrix3d frame;
     frame << d3, d1, d3.cross(d1);
     return frame;
+}
+
+double buoyed_weight(const SectionProperties& section, const std::optional<FluidCase>& fluid,
+                     double gravity) {
+    if (!fluid) return section.mass * gravity;
+    const double displaced =
+        fluid->inside == InsideOfPipe::fluid ? section.metal_area : section.outer_area;
+    return (section.mass - fluid->density * displaced) * gravity;
 }
 
 Scene build_scene(const Case& input) {

@@ -143,6 +143,18 @@ struct EquilibriumCase {
     std::optional<double> rotation;     ///< rad/s about d3; unset: as the motion says
 };
 
+/// What a string does in a study of torque and drag. The bit is on bottom, loaded, where it drills
+/// or slides; it slides where it moves down without rotation.
+enum class TorqueDragMotion { tripping_in, tripping_out, rotating, drilling, sliding };
+
+struct TorqueDragCase {
+    std::vector<double> depths;  ///< measured depths of the bit, ascending (m); none: even steps
+    std::vector<TorqueDragMotion> motions{TorqueDragMotion::tripping_in,
+                                          TorqueDragMotion::tripping_out,
+                                          TorqueDragMotion::rotating, TorqueDragMotion::drilling};
+    std::optional<FrictionCoefficients> friction;  ///< unset: the dynamic friction of the contact
+};
+
 enum class IntegratorKind { dormand_prince, leapfrog };
 
 struct RunCase {
@@ -175,6 +187,7 @@ struct Case {
     DampingCase damping;
     InitialCase initial;
     EquilibriumCase equilibrium;
+    TorqueDragCase torque_drag;
     RunCase run;
     OutputCase output;
     std::filesystem::path path;  ///< the case file

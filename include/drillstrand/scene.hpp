@@ -64,4 +64,8 @@ Scene build_scene(const Case& input);
 /// where d3 is within 25 degrees of east or west; d2 = d3 x d1.
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3);
 
+/// Weight per length of a pipe less that of the fluid it displaces (N/m).
+double buoyed_weight(const SectionProperties& section, const std::optional<FluidCase>& fluid,
+                     double gravity);
+
 }  // namespace drillstrand

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "input/case_sections.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+constexpr const char* some_depths =
+    "a list of measured depths, or a table { from = ..., to = ..., step = ... }";
+
+constexpr double most_depths = 100'000;
+
+/// A measured depth of the bit: below the start of the well and not below its end.
+double read_depth(const Value& value, const WellCase& well) {
+    const double start = well.survey.front().measured_depth;
+    const double end = well.survey.back().measured_depth;
+    const double depth = value.quantity(dimension::length);
+    // depths in feet differ from those of the survey by rounding
+    constexpr double rounding = 1e-9;
+    if (depth > start && depth <= end * (1 + rounding)) return depth;
+    value.fail(
+        fmt::format("is {:.9g} m; expected more than {:.9g} m, where the well starts, and at most "
+                    "{:.9g} m, where its survey ends",
+                    depth, start, end));
+}
+
+/// The depths between two, and those two; the last step may be shorter.
+std::vector<double> read_steps(const Value& value, const WellCase& well) {
+    const Table table(value, {"from", "to", "step"});
+    const Value to = table.require("to", "the last depth");
+    const Value step = table.require("step", "the distance of the depths");
+    const double first = read_depth(table.require("from", "the first depth"), well);
+    const double last = read_depth(to, well);
+    const double distance = step.quantity(dimension::length, positive);
+    if (last < first)
+        to.fail(fmt::format("is {:.9g} m; expected at least from, {:.9g} m", last, first));
+    const double steps = (last - first) / distance;
+    if (steps > most_depths)
+        step.fail(fmt::format("makes {:.0f} depths; expected at most {:.0f}", steps, most_depths));
+    std::vector<double> depths;
+    constexpr double rounding = 1e-9;
+    for (int k = 0; k < std::ceil(steps * (1 - rounding)); ++k)
+        depths.push_back(first + k * distance);
+    depths.push_back(last);
+    return depths;
+}
+
+std::vector<double> read_list(const Value& value, const WellCase& well) {
+    std::vector<double> depths;
+    for (const Value& entry : value.elements(some_depths)) {
+        const double depth = read_depth(entry, well);
+        if (!depths.empty() && depth <= depths.back())
+            entry.fail(fmt::format("is {:.9g} m; expected more than {:.9g} m, the depth before it",
+                                   depth, depths.back()));
+        depths.push_back(depth);
+    }
+    if (depths.empty()) value.fail(fmt::format("is empty; expected {}", some_depths));
+    return depths;
+}
+
+std::vector<double> read_depths(const Value& value, const WellCase& well,
+                                const StringInput& string) {
+    const bool steps = value.node().is_table();
+    const std::vector<double> depths = steps ? read_steps(value, well) : read_list(value, well);
+    const std::vector<Value> entries = steps ? std::vector<Value>{} : value.elements(some_depths);
+    for (std::size_t k = 0; k < depths.size(); ++k)
+        check_fit_at(well, string, depths[k], steps ? value.where() : entries[k].where());
+    return depths;
+}
+
+TorqueDragMotion read_motion(const Value& value) {
+    using Motion = TorqueDragMotion;
+    return value.choice<Motion>({{"tripping_in", Motion::tripping_in},
+                                 {"tripping_out", Motion::tripping_out},
+                                 {"rotating", Motion::rotating},
+                                 {"drilling", Motion::drilling},
+                                 {"sliding", Motion::sliding}});
+}
+
+std::vector<TorqueDragMotion> read_motions(const Value& value) {
+    std::vector<TorqueDragMotion> motions;
+    constexpr const char* expected = "a list of motions such as [\"rotating\", \"sliding\"]";
+    for (const Value& entry : value.elements(expected)) {
+        const TorqueDragMotion motion = read_motion(entry);
+        if (std::find(motions.begin(), motions.end(), motion) != motions.end())
+            entry.fail("is there twice; expected each motion once");
+        motions.push_back(motion);
+    }
+    if (motions.empty()) value.fail(fmt::format("is empty; expected {}", expected));
+    return motions;
+}
+
+}  // namespace
+
+TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
+                                const StringInput& string) {
+    const Table table = root.subtable("torque_drag", {"depths", "motions", "friction"});
+    TorqueDragCase torque_drag;
+    if (root.find("torque_drag") && !well)
+        table.fail("torque_drag needs a well; expected a table [well] with survey and diameter");
+    if (const std::optional<Value> depths = table.find("depths"))
+        torque_drag.depths = read_depths(*depths, *well, string);
+    if (const std::optional<Value> motions = table.find("motions"))
+        torque_drag.motions = read_motions(*motions);
+    if (const std::optional<Value> friction = table.find("friction"))
+        torque_drag.friction = read_friction(*friction);
+    return torque_drag;
+}
+
+}  // namespace drillstrand

@@ -1,0 +1,110 @@
+#include "statics/tripped_string.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces/bit.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+double length_of(const StringCase& string) {
+    double sum = 0;
+    for (const Component& component : string.components)
+        sum += component.length;
+    return sum;
+}
+
+/// The lower part of a string of that length, or the string with a longer top component.
+StringCase string_of_length(const StringCase& string, double length) {
+    StringCase result = string;
+    double excess = length_of(string) - length;
+    auto top = result.components.begin();
+    while (top + 1 != result.components.end() && excess >= top->length) {
+        excess -= top->length;
+        ++top;
+    }
+    result.components.erase(result.components.begin(), top);
+    result.components.front().length -= excess;
+    return result;
+}
+
+StringMotion string_motion(TorqueDragMotion motion) {
+    switch (motion) {
+        case TorqueDragMotion::tripping_in:
+            return StringMotion::tripping_in;
+        case TorqueDragMotion::tripping_out:
+            return StringMotion::tripping_out;
+        case TorqueDragMotion::sliding:
+            return StringMotion::sliding;
+        case TorqueDragMotion::rotating:
+        case TorqueDragMotion::drilling:
+            break;
+    }
+    return StringMotion::rotating;
+}
+
+SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOptions& options) {
+    if (!options.bit_loads) return {};
+    const Eigen::Vector3d direction = scene.well->at(bit_depth).direction;
+    const BitMotion motion{frame_along(direction), direction, options.motion.rotation_rate,
+                           scene.mesh.node.back().outer_radius};
+    const Vector6 stress = bit_stress(scene.bit, motion, options.load_time);
+    return {stress[3], -stress[0]};
+}
+
+}  // namespace
+
+Case case_at_depth(const Case& input, double bit_depth) {
+    const double length = bit_depth - input.well->survey.front().measured_depth;
+    const double segment = length_of(input.string) / input.mesh.segments;
+    Case result = input;
+    result.string = string_of_length(input.string, length);
+    result.mesh.segments = std::max(1, static_cast<int>(std::lround(length / segment)));
+    result.head.position.reset();
+    result.head.direction.reset();
+    result.initial = {};
+    if (const auto& friction = input.torque_drag.friction) {
+        result.contact.static_friction = *friction;
+        result.contact.dynamic_friction = *friction;
+    }
+    return result;
+}
+
+const Component& component_at(const StringCase& string, double s) {
+    double end = 0;
+    for (const Component& component : string.components) {
+        end += component.length;
+        if (s < end) return component;
+    }
+    return string.components.back();
+}
+
+EquilibriumOptions tripping_options(const Case& at_depth, TorqueDragMotion motion) {
+    Case moving = at_depth;
+    moving.equilibrium = {.motion = string_motion(motion), .axial_speed = {}, .rotation = {}};
+    EquilibriumOptions options = equilibrium_options(moving);
+    options.bit_loads = motion == TorqueDragMotion::drilling || motion == TorqueDragMotion::sliding;
+    return options;
+}
+
+SoftString soft_string(const Case& at_depth, const Scene& scene,
+                       const EquilibriumOptions& options) {
+    SoftString result;
+    double depth = scene.well->measured_depth_start();
+    for (const Component& component : at_depth.string.components) {
+        const SectionProperties section =
+            section_properties(component, at_depth.string.shear_coefficient);
+        const double weight = buoyed_weight(section, at_depth.fluid, at_depth.gravity);
+        result.stretches.push_back({depth, depth + component.length, weight, section.outer_radius});
+        depth += component.length;
+    }
+    result.contact = scene.contact;
+    result.motion = options.motion;
+    result.at_bit = load_at_bit(scene, depth, options);
+    result.down = scene.down;
+    return result;
+}
+
+}  // namespace drillstrand
