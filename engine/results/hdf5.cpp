@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "drillstrand/version.hpp"
+
 namespace drillstrand::hdf5 {
 
 namespace {
@@ -52,6 +54,37 @@ H5::FileAccPropList file_access() {
     access.setFcloseDegree(H5F_CLOSE_STRONG);
     H5Pset_file_locking(access.getId(), false, true);
     return access;
+}
+
+H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
+                           const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
+                           const std::string& units, const std::string& description) {
+    const H5::DataType type =
+        integer ? H5::DataType(H5::PredType::STD_I64LE) : H5::DataType(H5::PredType::IEEE_F64LE);
+    H5::DataSet dataset = file.createDataSet(path, type, space, properties);
+    write_attribute(dataset, "units", units);
+    write_attribute(dataset, "description", description);
+    return dataset;
+}
+
+void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header) {
+    const hsize_t segments = header.segment_s.size();
+    for (const auto& entry : mesh_datasets()) {
+        const auto dimensions = shape(entry, segments, 0);
+        const H5::DataSpace space(static_cast<int>(dimensions.size()), dimensions.data());
+        std::vector<double> values;
+        entry.append(header, values);
+        create_dataset(file, parent + entry.path, entry.integer, space,
+                       H5::DSetCreatPropList::DEFAULT, entry.units, entry.description)
+            .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+    }
+}
+
+void write_origin(H5::Group& root, const ResultHeader& header) {
+    write_attribute(root, "title", header.title);
+    write_attribute(root, "case", header.case_text);
+    write_attribute(root, "version", version());
+    write_attribute(root, "commit", commit());
 }
 
 void write_attribute(H5::H5Object& object, const char* name, const std::string& value) {

@@ -57,6 +57,20 @@ std::vector<hsize_t> shape(const RecordDataset<Record>& dataset, hsize_t segment
     return dimensions;
 }
 
+/// Compression of frames: datasets of which a chunk is written once.
+inline constexpr unsigned deflate_level = 4;
+
+H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
+                           const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
+                           const std::string& units, const std::string& description);
+
+/// Writes the datasets of mesh_datasets() below the group `parent` ("" for the root), where the
+/// group mesh exists.
+void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header);
+
+/// What every file says of itself: title, case, version, commit.
+void write_origin(H5::Group& root, const ResultHeader& header);
+
 /// Attributes: created where they are missing, overwritten where they exist.
 void write_attribute(H5::H5Object& object, const char* name, const std::string& value);
 void write_attribute(H5::H5Object& object, const char* name, double value);

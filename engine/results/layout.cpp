@@ -181,4 +181,18 @@ const std::vector<RecordDataset<Profile>>& profile_datasets() {
     return table;
 }
 
+const std::vector<RecordDataset<BucklingMode>>& buckling_datasets() {
+    using M = BucklingMode;
+    static const std::vector<RecordDataset<M>> table = {
+        value<M, &M::load>("/buckling/critical_load", "N",
+                           "dead compressive load at the tip at which the straight string buckles, "
+                           "above weight"),
+        values<M, &M::strain>(
+            "/buckling/mode_strain", Rows::segments, "1/m, 1/m, 1/m, 1, 1, 1",
+            "change of strain in body axes: twist, bending 1, bending 2, stretch, "
+            "shear 1, shear 2; the largest deflection is 1 m"),
+    };
+    return table;
+}
+
 }  // namespace drillstrand

@@ -1,16 +1,9 @@
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <system_error>
 #include <utility>
 
 #include "drillstrand/result_file.hpp"
-#include "drillstrand/version.hpp"
 #include "results/hdf5.hpp"
+#include "results/new_file.hpp"
 
 namespace drillstrand {
 
@@ -21,84 +14,11 @@ namespace {
 /// time, and its old place be taken by other data before the file's tables know of the move, so
 /// that a kill in that moment would lose the chunk. It stays as it is, in its place.
 constexpr hsize_t samples_per_chunk = 512;
-constexpr unsigned deflate_level = 4;
 constexpr auto stale_after = std::chrono::seconds(1);
 /// What waits in memory between flushes, and is lost when the disk turns out to be full.
 constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
-/// Room for HDF5's own tables in one flush, and for the footer of a file on a full disk.
-constexpr std::size_t metadata_bytes = std::size_t{1} << 20;
 
 namespace fs = std::filesystem;
-
-/// Owns a POSIX file descriptor.
-class FileDescriptor {
-  public:
-    FileDescriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags, 0666)) {}
-    ~FileDescriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
-    [[nodiscard]] int get() const { return value_; }
-
-  private:
-    int value_;
-};
-
-[[noreturn]] void refuse(const fs::path& path, int error) {
-    throw ResultError(path.string() + ": cannot write: " + std::generic_category().message(error));
-}
-
-/// Throws where `path` exists and is not a file that may be written. HDF5's own words are vague.
-void require_writable(const fs::path& path) {
-    if (!fs::exists(path)) return;
-    if (fs::is_directory(path)) refuse(path, EISDIR);
-    if (!fs::is_regular_file(path))
-        throw ResultError(path.string() + ": cannot write: not a regular file");
-    const FileDescriptor file(path, O_WRONLY | O_CLOEXEC);
-    if (file.get() < 0) refuse(path, errno);
-}
-
-void create_empty(const fs::path& file_path, const fs::path& shown_path) {
-    const FileDescriptor file(file_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-    if (file.get() < 0) refuse(shown_path, errno);
-}
-
-/// Throws unless `bytes` more fit on the disk. HDF5 cannot take back a write that failed half-way,
-/// so a full disk is found before it writes.
-void require_space(const fs::path& file_path, const fs::path& shown_path, std::size_t bytes) {
-    const FileDescriptor file(file_path, O_WRONLY | O_CLOEXEC);
-    // A file that was removed or renamed while the run goes on is written through HDF5's handle.
-    if (file.get() < 0) return;
-    const off_t size = ::lseek(file.get(), 0, SEEK_END);
-    const int error = ::posix_fallocate(file.get(), size, static_cast<off_t>(bytes));
-    if (::ftruncate(file.get(), size) != 0) refuse(shown_path, errno);
-    if (error != 0) refuse(shown_path, error);
-}
-
-H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
-                           const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
-                           const std::string& units, const std::string& description) {
-    const H5::DataType type =
-        integer ? H5::DataType(H5::PredType::STD_I64LE) : H5::DataType(H5::PredType::IEEE_F64LE);
-    H5::DataSet dataset = file.createDataSet(path, type, space, properties);
-    hdf5::write_attribute(dataset, "units", units);
-    hdf5::write_attribute(dataset, "description", description);
-    return dataset;
-}
-
-void write_mesh(H5::H5File& file, const ResultHeader& header) {
-    const hsize_t segments = header.segment_s.size();
-    for (const auto& entry : mesh_datasets()) {
-        const auto dimensions = hdf5::shape(entry, segments, 0);
-        const H5::DataSpace space(static_cast<int>(dimensions.size()), dimensions.data());
-        std::vector<double> values;
-        entry.append(header, values);
-        create_dataset(file, entry.path, entry.integer, space, H5::DSetCreatPropList::DEFAULT,
-                       entry.units, entry.description)
-            .write(values.data(), H5::PredType::NATIVE_DOUBLE);
-    }
-}
 
 /// The datasets of one kind of record: they grow together, the times last, so that every time in
 /// the file has its data.
@@ -120,11 +40,11 @@ class RecordTable {
             properties.setChunk(rank, chunk_shape.data());
             if (is_frame) {
                 properties.setShuffle();
-                properties.setDeflate(deflate_level);
+                properties.setDeflate(hdf5::deflate_level);
             }
-            datasets_.push_back(create_dataset(file, entry.path, entry.integer,
-                                               H5::DataSpace(rank, initial.data(), most.data()),
-                                               properties, entry.units, entry.description));
+            datasets_.push_back(hdf5::create_dataset(
+                file, entry.path, entry.integer, H5::DataSpace(rank, initial.data(), most.data()),
+                properties, entry.units, entry.description));
             std::size_t chunk_values = 1;
             for (const hsize_t extent : chunk_shape)
                 chunk_values *= extent;
@@ -202,13 +122,10 @@ H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
     for (const char* group : {"/mesh", "/series", "/profiles"})
         file.createGroup(group);
     H5::Group root = file.openGroup("/");
-    hdf5::write_attribute(root, "title", header.title);
-    hdf5::write_attribute(root, "case", header.case_text);
-    hdf5::write_attribute(root, "version", version());
-    hdf5::write_attribute(root, "commit", commit());
+    hdf5::write_origin(root, header);
     hdf5::write_attribute(root, "integrator", header.integrator);
     hdf5::write_attribute(root, "threads", std::int64_t{header.threads});
-    write_mesh(file, header);
+    hdf5::write_mesh(file, "", header);
     return file;
 }
 
@@ -259,22 +176,17 @@ struct ResultWriter::Impl {
     /// fails leaves an older result as it was.
     Impl(const fs::path& target, const ResultHeader& header)
         : shown_path_(target), file_path_(fs::weakly_canonical(target)) {
-        require_writable(file_path_);
-        fs::path fresh = file_path_;
-        fresh += ".new" + std::to_string(::getpid());
-        create_empty(fresh, shown_path_);
+        NewFile fresh(file_path_, shown_path_);
         try {
-            require_space(fresh, shown_path_, metadata_bytes);
+            require_space(fresh.path(), shown_path_, metadata_bytes);
             attempt([&] {
-                open_ = std::make_unique<OpenFile>(fresh, header);
+                open_ = std::make_unique<OpenFile>(fresh.path(), header);
                 open_->write_status({});
                 open_->write_numbers({});
                 open_->flush();
             });
-            fs::rename(fresh, file_path_);
+            fresh.take_name();
         } catch (...) {
-            std::error_code ignored;
-            fs::remove(fresh, ignored);
             close_quietly();
             throw;
         }

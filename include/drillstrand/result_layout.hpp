@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drillstrand/buckling.hpp"
 #include "drillstrand/records.hpp"
 #include "drillstrand/result_file.hpp"
 
@@ -36,5 +37,8 @@ const std::vector<RecordDataset<ResultHeader>>& mesh_datasets();
 /// One entry per record; the first one is the time.
 const std::vector<RecordDataset<SeriesRecord>>& series_datasets();
 const std::vector<RecordDataset<Profile>>& profile_datasets();
+
+/// One entry per mode, in a file of buckling modes.
+const std::vector<RecordDataset<BucklingMode>>& buckling_datasets();
 
 }  // namespace drillstrand

@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/version.hpp"
@@ -207,6 +208,60 @@ TEST_F(Program, InfoTellsHowAResultWasMade) {
                       HasSubstr("/profiles/contact_force"), HasSubstr(version())));
 }
 
+TEST_F(Program, BucklingPrintsLoadsInPairsAndWritesAFileOnlyWhenAsked) {
+    const std::vector<std::string> command = {"buckling", "pipe.toml", "--set", "gravity=0"};
+    Ending ending = run(command);
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(ending.err, "");
+    // The pipe of 24 m: pi^2 EI/(4 L^2) = 42.7 kN, at 8 segments 0.3 % more.
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("A pipe hangs and swings"), HasSubstr("over Euler's"),
+                                  HasSubstr("1.0032"), HasSubstr("d1"), HasSubstr("d2")));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+
+    std::vector<std::string> with_file = command;
+    with_file.insert(with_file.end(), {"-o", "modes.h5", "--modes", "3", "--tip-weight", "full"});
+    ending = run(with_file);
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(files(), ElementsAre("modes.h5", "pipe.toml"));
+    const BucklingResult result = read_buckling(desk() / "modes.h5");
+    EXPECT_EQ(result.header.title, "A pipe hangs and swings");
+    EXPECT_EQ(result.header.node_s.size(), 9U);
+    EXPECT_EQ(result.tip_weight, TipWeight::full);
+    ASSERT_EQ(result.modes.size(), 3U);
+    EXPECT_EQ(result.modes[0].load, result.modes[1].load);
+    EXPECT_GT(result.modes[2].load, 8 * result.modes[1].load);
+    EXPECT_THAT(run({"info", "modes.h5"}).out, HasSubstr("/buckling/mode_strain"));
+}
+
+TEST_F(Program, BucklingSaysWhatItLeavesOut) {
+    // The pipe lies level, and without a well the load at its bit follows the bit.
+    const Ending ending = run({"buckling", "pipe.toml", "--set", "bit.weight=1000"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("not vertical"), HasSubstr("flutters")));
+}
+
+TEST_F(Program, BucklingThatCannotBeIsRefusedInOneLine) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
+        {{"--modes", "17"}, "at most 16"},
+        {{"--modes", "0"}, "--modes"},
+        {{"--tip-weight", "double"}, "half"},
+        {{"-o", "-"}, "-o -: "},
+        {{"-o", "pipe.toml"}, "that is the case file"},
+        {{"-o", "."}, "Is a directory"},
+        {{"-o", "no/modes.h5"}, "No such file or directory"},
+        {{"--set", "head.motion=free"}, "pipe.toml: head.motion"},
+        {{"--set", "string.component.0.curvature=[0,0.01,0]"}, "curvature"}};
+    for (const auto& [options, words] : mistakes) {
+        std::vector<std::string> command = {"buckling", "pipe.toml"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 2) << words;
+        EXPECT_THAT(ending.err, is_one_error(words));
+        EXPECT_EQ(ending.out, "");
+        EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+    }
+}
+
 TEST_F(Program, AWrongKeyIsOneLineWithItsPlaceAndNothingIsWritten) {
     write("wrong.toml", std::string(pipe_case) + "intervall = 1\n");
     for (const char* command : {"run", "check"}) {
@@ -251,7 +306,6 @@ TEST_F(Program, AnErrorInTheCaseLeavesAnOlderResultAlone) {
 
 TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
     const std::vector<std::vector<std::string>> later = {
-        {"buckling", "pipe.toml"},
         {"equilibrium", "pipe.toml", "-o", "e.h5"},
         {"torque-drag", "pipe.toml"},
         {"report", "out.h5"},
@@ -264,7 +318,7 @@ TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
         EXPECT_THAT(ending.err, is_one_error("not available in this version"));
     }
     const std::string help = run({"--help"}).out;
-    for (const char* word : {"buckling", "equilibrium", "torque-drag", "report", "export", "study"})
+    for (const char* word : {"equilibrium", "torque-drag", "report", "export", "study"})
         EXPECT_THAT(help, Not(HasSubstr(word)));
     EXPECT_THAT(run({"run", "--help"}).out, Not(HasSubstr("restart")));
 }
@@ -290,7 +344,8 @@ TEST_F(Program, AMistypedCommandLineIsOneLine) {
 }
 
 TEST_F(Program, HelpAndVersionAreEverywhere) {
-    const std::vector<std::vector<std::string>> commands = {{}, {"run"}, {"check"}, {"info"}};
+    const std::vector<std::vector<std::string>> commands = {
+        {}, {"run"}, {"check"}, {"buckling"}, {"info"}};
     for (std::vector<std::string> arguments : commands) {
         arguments.emplace_back("--version");
         Ending ending = run(arguments);

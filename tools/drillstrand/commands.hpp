@@ -1,11 +1,14 @@
 /// The subcommands. Each returns the exit code of the program; errors are exceptions.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "drillstrand/buckling.hpp"
 
 namespace drillstrand::program {
 
@@ -36,6 +39,16 @@ struct CheckOptions {
 };
 
 int check(const CheckOptions& options);
+
+struct BucklingOptions {
+    std::filesystem::path case_path;
+    std::filesystem::path output;  ///< empty: no file
+    std::size_t modes = 6;
+    TipWeight tip_weight = TipWeight::half;
+    Overrides overrides;
+};
+
+int buckling(const BucklingOptions& options);
 
 int info(const std::filesystem::path& result_path);
 

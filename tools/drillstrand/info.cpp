@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "commands.hpp"
+#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/result_layout.hpp"
 #include "wording.hpp"
@@ -98,9 +99,27 @@ void print_profiles(std::size_t segments) {
     }
 }
 
+int buckling_info(const std::filesystem::path& path) {
+    const BucklingResult result = read_buckling(path);
+    fmt::print("{}\n", path.string());
+    fmt::print("  title            {}\n", result.header.title);
+    fmt::print("  holds            buckling modes of the straight string\n");
+    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
+    fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
+               result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
+    fmt::print("  tip weight       {} segment\n",
+               result.tip_weight == TipWeight::half ? "half a" : "a whole");
+    for (std::size_t k = 0; k < result.modes.size(); ++k)
+        fmt::print("  mode {:<11} {:.10g} N\n", k + 1, result.modes[k].load);
+    for (const auto& entry : buckling_datasets())
+        fmt::print("  {:<24} {} ({})\n", entry.path, entry.description, entry.units);
+    return done;
+}
+
 }  // namespace
 
 int info(const std::filesystem::path& result_path) {
+    if (holds_buckling(result_path)) return buckling_info(result_path);
     const Result result = read_result(result_path);
     print_origin(result_path, result);
     print_contents(result);

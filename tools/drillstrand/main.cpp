@@ -18,8 +18,8 @@ namespace drillstrand::program {
 namespace {
 
 /// Commands of the interface that later versions bring.
-constexpr std::array<std::string_view, 6> later_commands = {
-    "buckling", "equilibrium", "torque-drag", "report", "export", "study"};
+constexpr std::array<std::string_view, 5> later_commands = {"equilibrium", "torque-drag", "report",
+                                                            "export", "study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -49,8 +49,9 @@ class CommandLine {
         app_.require_subcommand(0, 1);
         add_run();
         add_check();
+        add_buckling();
         add_info();
-        for (CLI::App* command : {run_, check_, info_})
+        for (CLI::App* command : {run_, check_, buckling_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -66,6 +67,7 @@ class CommandLine {
         }
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
+        if (buckling_->parsed()) return start_buckling();
         if (info_->parsed()) return info(result_path_);
         throw UsageError("no command; see drillstrand --help");
     }
@@ -92,6 +94,25 @@ class CommandLine {
         add_overrides(*check_);
     }
 
+    void add_buckling() {
+        buckling_ = app_.add_subcommand(
+            "buckling", "Print the critical loads of the straight string, clamped at the head");
+        buckling_->add_option("CASE.toml", case_path_, "The case with the string")->required();
+        buckling_->add_option("--modes", modes_, "Number of modes, which come in pairs of one load")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str()
+            ->type_name("M");
+        buckling_
+            ->add_option("--tip-weight", tip_weight_,
+                         "Weight of the tip node: of half a segment, or of a full one")
+            ->check(CLI::IsMember({"half", "full"}))
+            ->capture_default_str()
+            ->type_name("half|full");
+        buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
+            ->type_name("OUT.h5");
+        add_overrides(*buckling_);
+    }
+
     void add_info() {
         info_ = app_.add_subcommand("info", "Print what a result file holds and how it was made");
         info_->add_option("OUT.h5", result_path_, "The result file")->required();
@@ -115,6 +136,16 @@ class CommandLine {
         return run(options);
     }
 
+    int start_buckling() {
+        BucklingOptions options;
+        options.case_path = case_path_;
+        options.output = output_;
+        options.modes = static_cast<std::size_t>(modes_);
+        options.tip_weight = tip_weight_ == "full" ? TipWeight::full : TipWeight::half;
+        options.overrides = parse_overrides(overrides_);
+        return buckling(options);
+    }
+
     static void refuse_later_command(int argc, char** argv) {
         if (argc < 2) return;
         const std::string_view command = argv[1];
@@ -127,8 +158,8 @@ class CommandLine {
     [[nodiscard]] std::string describe(const CLI::ParseError& error, int argc, char** argv) const {
         const bool is_command = argc > 1 && argv[1][0] != '-';
         if (is_command && app_.get_subcommands().empty())
-            return fmt::format("unknown command '{}'; the commands are run, check and info",
-                               argv[1]);
+            return fmt::format(
+                "unknown command '{}'; the commands are run, check, buckling and info", argv[1]);
         return error.what();
     }
 
@@ -141,12 +172,15 @@ class CommandLine {
                   "drillstrand"};
     CLI::App* run_ = nullptr;
     CLI::App* check_ = nullptr;
+    CLI::App* buckling_ = nullptr;
     CLI::App* info_ = nullptr;
     std::string case_path_;
     std::string result_path_;
     std::string output_;
     std::string restart_;
     int threads_ = -1;
+    int modes_ = 6;
+    std::string tip_weight_ = "half";
     std::vector<std::string> overrides_;
     bool quiet_ = false;
 };

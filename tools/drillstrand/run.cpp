@@ -11,6 +11,7 @@
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
 #include "wording.hpp"
@@ -24,15 +25,9 @@ namespace fs = std::filesystem;
 constexpr double large_energy_residual = 0.01;
 
 fs::path choose_output(const RunOptions& options) {
-    if (options.output == "-")
-        throw UsageError("-o -: a result cannot go to the standard output; name a file: -o OUT.h5");
     fs::path output = options.output;
     if (output.empty()) output = options.case_path.stem().string() + ".h5";
-    std::error_code ignored;
-    if (fs::equivalent(output, options.case_path, ignored))
-        throw UsageError(
-            fmt::format("-o {}: that is the case file; name another file", output.string()));
-    return output;
+    return checked_output(output, options.case_path);
 }
 
 ResultHeader result_header(const Case& input, const Scene& scene, int threads) {

@@ -1,0 +1,33 @@
+/// Files of buckling modes (HDF5). The layout is listed in engine/results/README.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drillstrand/buckling.hpp"
+#include "drillstrand/result_file.hpp"
+
+namespace drillstrand {
+
+/// The modes of a string, and what they were computed of. Nothing runs in time: integrator and
+/// threads of the header are not stored.
+struct BucklingResult {
+    ResultHeader header;
+    TipWeight tip_weight = TipWeight::half;
+    std::vector<BucklingMode> modes;
+    std::string version;  ///< of the drillstrand that wrote the file; set by reading
+    std::string commit;
+};
+
+/// Writes a file; an existing one of that name is replaced once the new one is sound. Throws
+/// ResultError where it cannot be written.
+void write_buckling(const std::filesystem::path& path, const BucklingResult& result);
+
+/// Whether a file is one of buckling modes. Throws ResultError where it is no result file.
+bool holds_buckling(const std::filesystem::path& path);
+
+/// Throws ResultError where the file is not one of buckling modes.
+BucklingResult read_buckling(const std::filesystem::path& path);
+
+}  // namespace drillstrand

@@ -1,0 +1,420 @@
+/// Critical loads and modes of the straight string against exact solutions, and its Hessian against
+/// the energy of the rod itself.
+#include "drillstrand/buckling.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "support/run_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Table 3 of Galasso, Santelli, Zambetti, Giusteri (2024), with more lines for the case.
+std::string column(int segments, const std::string& head = "gravity = 0\n",
+                   const std::string& tail = "") {
+    return "title = \"Column\"\n" + head +
+           "[[string.component]]\nname = \"pipe\"\nlength = 1000\nouter_diameter = 0.14\n"
+           "inner_diameter = 0.12\nlinear_density = 31.8557\nyoungs_modulus = \"200 GPa\"\n"
+           "poisson_ratio = 0.0\n[mesh]\nsegments = " +
+           std::to_string(segments) + "\n[run]\nduration = 1\n" + tail;
+}
+
+constexpr double column_stiffness = 1735729.9411083623;  // EI of table 3 (N m2)
+constexpr double column_density = 31.8557;               // kg/m
+
+std::vector<BucklingMode> modes_of(const std::string& toml, std::size_t count,
+                                   TipWeight tip_weight = TipWeight::half) {
+    return buckling_modes(straight_rod(build_scene(test::case_from(toml)), tip_weight), count);
+}
+
+double first_load(const std::string& toml, TipWeight tip_weight = TipWeight::half) {
+    return modes_of(toml, 1, tip_weight).front().load;
+}
+
+/// A rod of equal segments without weight.
+StraightRod uniform_rod(std::size_t segments, double length, double axial, double shear,
+                        double bending) {
+    const auto all = [&](double value) { return std::vector<double>(segments, value); };
+    return {all(length / static_cast<double>(segments)), all(axial), all(shear), all(bending),
+            all(0)};
+}
+
+/// The two meshes, the second twice as fine, must be off by four to one (second order), within 2 %.
+void expect_second_order(double coarse, double fine, double exact) {
+    EXPECT_NEAR((coarse - exact) / (fine - exact), 4, 0.08);
+}
+
+/// Limit of a second-order sequence from two meshes, the second twice as fine.
+double extrapolated(double coarse, double fine) {
+    return fine + (fine - coarse) / 3;
+}
+
+/// The root of a function that changes sign once between two points.
+double root(const std::function<double(double)>& function, double low, double high) {
+    const bool rises = function(high) > 0;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((function(middle) > 0) == rises ? high : low) = middle;
+    }
+    return low;
+}
+
+TEST(Buckling, WeightlessColumnHasTheLoadsOfTheDiscreteEnergy) {
+    // Dense Hessian of the energy of N segments joined by exponential maps, independent program.
+    const std::vector<BucklingMode> modes = modes_of(column(20), 6);
+    ASSERT_EQ(modes.size(), 6U);
+    const std::vector<double> published = {4.284943905, 38.72332621, 108.4514373};
+    for (std::size_t pair = 0; pair < 3; ++pair) {
+        EXPECT_NEAR(modes[2 * pair].load, published[pair], 1e-8 * published[pair]);
+        EXPECT_EQ(modes[2 * pair].load, modes[2 * pair + 1].load);
+    }
+}
+
+TEST(Buckling, WeightlessColumnConvergesToEulersLoadsAtSecondOrder) {
+    const std::vector<BucklingMode> coarse = modes_of(column(80), 5);
+    const std::vector<BucklingMode> fine = modes_of(column(160), 5);
+    for (std::size_t mode : {0U, 2U, 4U}) {
+        const double waves = static_cast<double>(mode) / 2 + 0.5;
+        const double euler = column_stiffness * std::pow(waves * pi / 1000, 2);
+        expect_second_order(coarse[mode].load, fine[mode].load, euler);
+        EXPECT_NEAR(extrapolated(coarse[mode].load, fine[mode].load), euler, 1e-5 * euler);
+    }
+}
+
+TEST(Buckling, HeavyColumnWithAFullWeightAtTheTipHasTheLoadOfThePaperEnergy) {
+    // As the weightless column: dense Hessian, independent program.
+    const double load = first_load(column(70, "gravity = 9.81\n"), TipWeight::full);
+    EXPECT_NEAR(load, 8275.664805, 1e-6);
+}
+
+TEST(Buckling, HeavyColumnConvergesToTheContinuumAtSecondOrder) {
+    // Ai'(-F / (w m)) = 0 with m = (EI/w)^(1/3): F = 1.01879297165 w m.
+    const double coarse = first_load(column(500, "gravity = 9.81\n"));
+    const double fine = first_load(column(1000, "gravity = 9.81\n"));
+    const double exact = 5638.333566;
+    expect_second_order(coarse, fine, exact);
+    EXPECT_NEAR(extrapolated(coarse, fine), exact, 1e-5 * exact);
+}
+
+TEST(Buckling, ShippedCasesHaveTheLoadsThatTheyName) {
+    const auto load = [](const std::string& name, TipWeight tip_weight) {
+        const Case input = read_case(DRILLSTRAND_SOURCE_DIR "/cases/" + name);
+        return buckling_modes(straight_rod(build_scene(input), tip_weight), 1).front().load;
+    };
+    EXPECT_NEAR(load("buckling_weightless.toml", TipWeight::half), 4.284943905, 1e-8);
+    EXPECT_NEAR(load("buckling_heavy.toml", TipWeight::half), 6043.490, 1e-3);
+    EXPECT_NEAR(load("buckling_heavy.toml", TipWeight::full), 8275.665, 1e-3);
+}
+
+TEST(Buckling, FluidCarriesPartOfTheWeight) {
+    const std::string fluid = "[fluid]\ndensity = 1000\nviscosity = 0\n";
+    const std::string gravity = "gravity = 9.81\n";
+    const double limit = extrapolated(first_load(column(500, gravity, fluid)),
+                                      first_load(column(1000, gravity, fluid)));
+    const double area = pi / 4 * (0.14 * 0.14 - 0.12 * 0.12);
+    const double weight = (column_density - 1000 * area) * 9.81;
+    const double exact = 1.01879297165 * weight * std::cbrt(column_stiffness / weight);
+    EXPECT_NEAR(limit, exact, 1e-5 * exact);
+}
+
+TEST(Buckling, AStandingColumnOfGreenhillsHeightNeedsNoLoad) {
+    // w L^3 / EI = 7.837347439: 9/4 of the squared first zero of the Bessel function J_(-1/3).
+    const double gravity = 7.837347439 * column_stiffness / (column_density * 1e9);
+    const auto load = [&](int segments) {
+        return first_load(column(segments, "gravity = " + std::to_string(1e6 * gravity) + "e-6\n",
+                                 "[head]\ndirection = [0, 0, -1]\n"));
+    };
+    const double euler = column_stiffness * pi * pi / 4e6;
+    EXPECT_LT(load(40), 0.01 * euler);
+    EXPECT_NEAR(extrapolated(load(40), load(80)), 0, 1e-6 * euler);
+}
+
+TEST(Buckling, WeightAcrossALevelRodLeavesItsLoadsAlone) {
+    const std::string level = "[head]\ndirection = [1, 0, 0]\n";
+    EXPECT_EQ(first_load(column(20, "gravity = 9.81\n", level)), first_load(column(20)));
+}
+
+TEST(Buckling, StretchAndShearOfAStockyColumnMatter) {
+    // A rotation t(s) has the energy EI t'^2 - (F (1 - F/EA) + F^2/kGA) t^2 per length, so that the
+    // bracket takes Euler's place.
+    const double axial = 300;
+    const double shear = 90;
+    const double bending = 7;
+    const auto load = [&](std::size_t segments) {
+        return buckling_modes(uniform_rod(segments, 2, axial, shear, bending), 1).front().load;
+    };
+    const double euler = bending * pi * pi / 16;
+    const double exact = root(
+        [&](double force) { return force * (1 - force / axial) + force * force / shear - euler; },
+        0, 2 * euler);
+    EXPECT_GT(std::abs(exact - euler), 0.03 * euler);
+    expect_second_order(load(40), load(80), exact);
+    EXPECT_NEAR(extrapolated(load(40), load(80)), exact, 1e-7 * exact);
+}
+
+TEST(Buckling, AStringOfTwoComponentsHasTheLoadsOfTheSteppedColumn) {
+    // Rotation sin(k1 s) above and A cos(k2 (L - s)) below the joint, rotation and moment
+    // continuous: tan(k1 L1) tan(k2 L2) = EI1 k1 / (EI2 k2).
+    const auto toml = [](int segments) {
+        return "title = \"Stepped\"\ngravity = 0\n[[string.component]]\nname = \"upper\"\n"
+               "length = 60\nouter_diameter = 0.14\ninner_diameter = 0.12\n"
+               "linear_density = 31.8557\nyoungs_modulus = \"200 GPa\"\n"
+               "[[string.component]]\nname = \"lower\"\nlength = 40\nouter_diameter = 0.11\n"
+               "inner_diameter = 0.08\nlinear_density = 31.8557\nyoungs_modulus = \"150 GPa\"\n"
+               "[mesh]\nsegments = " +
+               std::to_string(segments) + "\n[run]\nduration = 1\n";
+    };
+    const auto stiffness = [](double outer, double inner, double modulus) {
+        return modulus * pi / 64 * (std::pow(outer, 4) - std::pow(inner, 4));
+    };
+    const double upper = stiffness(0.14, 0.12, 200e9);
+    const double lower = stiffness(0.11, 0.08, 150e9);
+    const auto mismatch = [&](double force) {
+        const double k1 = std::sqrt(force / upper);
+        const double k2 = std::sqrt(force / lower);
+        return lower * k2 * std::sin(60 * k1) * std::sin(40 * k2) -
+               upper * k1 * std::cos(60 * k1) * std::cos(40 * k2);
+    };
+    const double least = std::min(upper, lower) * pi * pi / 4e4;
+    const double most = std::max(upper, lower) * pi * pi / 4e4;
+    const double exact = root(mismatch, least, most);
+    const double coarse = first_load(toml(50));
+    const double fine = first_load(toml(100));
+    expect_second_order(coarse, fine, exact);
+    // Stretch and shear change the load by F/EA, here 3e-7.
+    EXPECT_NEAR(extrapolated(coarse, fine), exact, 2e-6 * exact);
+}
+
+TEST(Buckling, ModesOfTheWeightlessColumnAreCosines) {
+    // Deflection 1 - cos(k s), bending k^2 cos(k s), with k = (n - 1/2) pi / L.
+    const int segments = 100;
+    const std::vector<BucklingMode> modes = modes_of(column(segments), 6);
+    for (std::size_t mode = 0; mode < modes.size(); ++mode) {
+        const double k = (static_cast<double>(mode / 2) + 0.5) * pi / 1000;
+        const Eigen::Index bending = mode % 2 == 0 ? 1 : 2;
+        const double scale = modes[mode].strain.front()[bending] / std::cos(k * 5);
+        for (std::size_t i = 0; i < modes[mode].strain.size(); ++i) {
+            const Vector6& strain = modes[mode].strain[i];
+            const double s = 1000 * (static_cast<double>(i) + 0.5) / segments;
+            EXPECT_NEAR(strain[bending], scale * std::cos(k * s), 1e-9 * std::abs(scale));
+        }
+        // The largest deflection is 1 m, so that the amplitude is k^2 in the first pair.
+        if (mode < 2) {
+            EXPECT_NEAR(std::abs(scale), k * k, 2e-4 * k * k);
+        }
+    }
+}
+
+/// A three-dimensional rod in extended precision, written down directly from the energy: segments
+/// of constant strain, joined by exponential maps, along the x axis.
+class EnergyOfRod {
+  public:
+    using Real = long double;
+    using Vector = Eigen::Matrix<Real, 3, 1>;
+    using Matrix = Eigen::Matrix<Real, 3, 3>;
+    using Strains = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+    EnergyOfRod(const StraightRod& rod, double torsional_stiffness, double load)
+        : rod_(rod), torsion_(torsional_stiffness), load_(load) {}
+
+    /// Strains of the straight rod under its loads.
+    [[nodiscard]] Strains straight() const {
+        Strains strains = Strains::Zero(size());
+        for (std::size_t i = 0; i < rod_.length.size(); ++i)
+            strains[row(i) + 3] =
+                1 + (Real(rod_.weight_below[i]) - load_) / rod_.axial_stiffness[i];
+        return strains;
+    }
+
+    [[nodiscard]] Real operator()(const Strains& strains) const {
+        Matrix frame = Matrix::Identity();
+        Real position = 0;
+        Real energy = 0;
+        const std::size_t segments = rod_.length.size();
+        for (std::size_t i = 0; i < segments; ++i) {
+            const Real h = rod_.length[i];
+            const Vector turn = h * strains.template segment<3>(row(i));
+            const Vector advance = strains.template segment<3>(row(i) + 3);
+            energy += h / 2 * stored(i, strains);
+            position += (frame * (mean_rotation(turn) * (h * advance))).x();
+            frame = frame * rotation(turn);
+            // Weight of the node between this segment and the next; the load acts at the last one.
+            const Real next = i + 1 < segments ? Real(rod_.weight_below[i + 1]) : Real(load_);
+            energy -= (Real(rod_.weight_below[i]) - next) * position;
+        }
+        return energy;
+    }
+
+    /// Second derivatives by central differences of fourth order, for turns h k and strains g.
+    [[nodiscard]] Eigen::MatrixXd hessian() const {
+        const Strains base = straight();
+        Eigen::MatrixXd hessian(size(), size());
+        for (Eigen::Index a = 0; a < size(); ++a)
+            for (Eigen::Index b = a; b < size(); ++b) {
+                const Real step = 5e-4L;
+                const Real fine = mixed_difference(base, a, b, step);
+                const Real coarse = mixed_difference(base, a, b, 2 * step);
+                hessian(a, b) = hessian(b, a) = static_cast<double>((4 * fine - coarse) / 3);
+            }
+        return hessian;
+    }
+
+    /// Strains of a mode in the variables of hessian().
+    [[nodiscard]] Eigen::VectorXd scaled(const std::vector<Vector6>& mode) const {
+        Eigen::VectorXd vector(size());
+        for (std::size_t i = 0; i < mode.size(); ++i) {
+            vector.segment<6>(row(i)) = mode[i];
+            vector.segment<3>(row(i)) *= rod_.length[i];
+        }
+        return vector.normalized();
+    }
+
+  private:
+    [[nodiscard]] Eigen::Index size() const {
+        return 6 * static_cast<Eigen::Index>(rod_.length.size());
+    }
+    static Eigen::Index row(std::size_t segment) { return 6 * static_cast<Eigen::Index>(segment); }
+
+    [[nodiscard]] Real stored(std::size_t i, const Strains& strains) const {
+        const auto u = strains.template segment<6>(row(i));
+        return torsion_ * u[0] * u[0] + rod_.bending_stiffness[i] * (u[1] * u[1] + u[2] * u[2]) +
+               rod_.axial_stiffness[i] * (u[3] - 1) * (u[3] - 1) +
+               rod_.shear_stiffness[i] * (u[4] * u[4] + u[5] * u[5]);
+    }
+
+    static Matrix cross(const Vector& turn) {
+        Matrix matrix;
+        matrix << 0, -turn.z(), turn.y(), turn.z(), 0, -turn.x(), -turn.y(), turn.x(), 0;
+        return matrix;
+    }
+
+    /// exp(W) and the mean of exp(t W) over t in 0..1, by their series: turns are small here.
+    static Matrix rotation(const Vector& turn) { return series(turn, 1); }
+    static Matrix mean_rotation(const Vector& turn) { return series(turn, 2); }
+    static Matrix series(const Vector& turn, int first) {
+        Matrix term = Matrix::Identity();
+        Matrix sum = term;
+        for (int k = first; k < first + 12; ++k) {
+            term = term * cross(turn) / k;
+            sum += term;
+        }
+        return sum;
+    }
+
+    [[nodiscard]] Real mixed_difference(const Strains& base, Eigen::Index a, Eigen::Index b,
+                                        Real step) const {
+        Real sum = 0;
+        for (const int sign_a : {-1, 1})
+            for (const int sign_b : {-1, 1}) {
+                Strains strains = base;
+                strains[a] += sign_a * step / scale(a);
+                strains[b] += sign_b * step / scale(b);
+                sum += sign_a * sign_b * (*this)(strains);
+            }
+        return sum / (4 * step * step);
+    }
+
+    [[nodiscard]] Real scale(Eigen::Index index) const {
+        return index % 6 < 3 ? Real(rod_.length[static_cast<std::size_t>(index / 6)]) : Real(1);
+    }
+
+    const StraightRod& rod_;
+    Real torsion_;
+    Real load_;
+};
+
+/// A short string of uneven segments with weight, so soft that stretch and shear matter.
+StraightRod random_rod(std::size_t segments, std::mt19937& random) {
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    StraightRod rod;
+    for (std::size_t i = 0; i < segments; ++i) {
+        rod.length.push_back(number(0.5, 1.5));
+        rod.axial_stiffness.push_back(number(60, 90));
+        rod.shear_stiffness.push_back(number(10, 40));
+        rod.bending_stiffness.push_back(number(1, 4));
+        rod.weight_below.push_back(number(0, 0.5));
+    }
+    for (std::size_t i = segments - 1; i-- > 0;)
+        rod.weight_below[i] += rod.weight_below[i + 1];
+    return rod;
+}
+
+std::size_t negative_eigenvalues(const Eigen::MatrixXd& matrix) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
+    return static_cast<std::size_t>((solver.eigenvalues().array() < 0).count());
+}
+
+class RandomRod : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomRod, ModesAnnulTheHessianOfTheEnergy) {
+    std::mt19937 random(GetParam());
+    const StraightRod rod = random_rod(5, random);
+    for (const BucklingMode& mode : buckling_modes(rod, 6)) {
+        const EnergyOfRod energy(rod, 2.0, mode.load);
+        const Eigen::MatrixXd hessian = energy.hessian();
+        const Eigen::VectorXd force = hessian * energy.scaled(mode.strain);
+        // Differences are good to about 1e-11 of the largest entry.
+        EXPECT_LT(force.norm(), 1e-9 * hessian.cwiseAbs().maxCoeff());
+    }
+}
+
+TEST_P(RandomRod, NoInstabilityIsMissed) {
+    std::mt19937 random(GetParam());
+    const StraightRod rod = random_rod(5, random);
+    const std::vector<BucklingMode> modes = buckling_modes(rod, 6);
+    for (std::size_t pair = 0; pair < 3; ++pair) {
+        const double load = modes[2 * pair].load;
+        const double nudge = 1e-6 * std::abs(load);
+        const auto count = [&](double force) {
+            return negative_eigenvalues(EnergyOfRod(rod, 2.0, force).hessian());
+        };
+        EXPECT_EQ(count(load - nudge), 2 * pair);
+        EXPECT_EQ(count(load + nudge), 2 * pair + 2);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomRod, testing::Values(1U, 2U, 3U, 4U));
+
+TEST(Buckling, ASlenderRodHasTwoModesASegment) {
+    EXPECT_EQ(count_buckling_modes(uniform_rod(7, 100, 1e6, 1e6, 1)), 14U);
+}
+
+TEST(Buckling, AStockyRodHasNoModesThatWouldHalveItsLength) {
+    // Euler's load of the second pair, 9 pi^2/4 = 22, is beyond EA/2.
+    EXPECT_EQ(count_buckling_modes(uniform_rod(20, 1, 20, 1e6, 1)), 2U);
+}
+
+TEST(Buckling, ModesThatDoNotExistAreRefused) {
+    EXPECT_THROW(buckling_modes(uniform_rod(7, 100, 1e6, 1e6, 1), 15), std::invalid_argument);
+}
+
+TEST(Buckling, AStringBentWhenUnstressedIsRefused) {
+    const Scene scene = build_scene(test::case_from(
+        "title = \"Bent\"\n[[string.component]]\nname = \"bent sub\"\nlength = 10\n"
+        "outer_diameter = 0.14\ninner_diameter = 0.12\nlinear_density = 31.8557\n"
+        "youngs_modulus = \"200 GPa\"\ncurvature = [0, 0.01, 0]\n[mesh]\nsegments = 4\n"
+        "[run]\nduration = 1\n"));
+    EXPECT_THROW(straight_rod(scene, TipWeight::half), std::invalid_argument);
+}
+
+TEST(Buckling, AStringThatItsWeightWouldTearIsRefused) {
+    StraightRod rod = uniform_rod(4, 1, 100, 10, 1);
+    rod.weight_below = {6, 4, 2, 0};
+    EXPECT_THROW(count_buckling_modes(rod), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace drillstrand

@@ -1,0 +1,137 @@
+/// drillstrand buckling: critical loads of the straight string.
+#include "drillstrand/buckling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "drillstrand/buckling_file.hpp"
+#include "drillstrand/case.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/scene.hpp"
+#include "output.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+StraightRod rod_of(const Case& input, const Scene& scene, TipWeight tip_weight) {
+    if (scene.head.motion == HeadMotion::free)
+        throw InputError({input.path.string()},
+                         "head.motion = \"free\": nothing holds the string against a load; "
+                         "buckling needs a clamped head, motion = \"driven\"");
+    return straight_rod(scene, tip_weight);
+}
+
+std::vector<BucklingMode> modes_of(const StraightRod& rod, std::size_t count) {
+    const std::size_t available = count_buckling_modes(rod);
+    if (count > available)
+        throw UsageError(
+            fmt::format("--modes {}: a rod of {} segments has {} modes here; ask for "
+                        "at most {}",
+                        count, rod.length.size(), available, available));
+    return buckling_modes(rod, count);
+}
+
+/// Bending stiffness of a weightless rod that is the same all along, for which Euler's loads hold.
+std::optional<double> euler_stiffness(const StraightRod& rod) {
+    const auto [least, most] =
+        std::minmax_element(rod.bending_stiffness.begin(), rod.bending_stiffness.end());
+    const bool is_weightless = std::all_of(rod.weight_below.begin(), rod.weight_below.end(),
+                                           [](double weight) { return weight == 0; });
+    // Means over segments differ in the last digit.
+    if (!is_weightless || *most - *least > 1e-9 * *most) return std::nullopt;
+    return *most;
+}
+
+/// Load of the continuous column in mode `index`, counted from 0 in pairs (N).
+double euler_load(double stiffness, double length, std::size_t index) {
+    const double waves = static_cast<double>(index / 2) + 0.5;
+    return stiffness * std::pow(waves * std::numbers::pi / length, 2);
+}
+
+void print_rod(const Case& input, const Scene& scene, const StraightRod& rod,
+               TipWeight tip_weight) {
+    const Eigen::Vector3d along = scene.head_frame.col(0);
+    fmt::print("{}: {}\n", input.path.string(), input.title);
+    fmt::print(
+        "  {:<8} {:.6g} m in {} segments, straight along ({:.4g}, {:.4g}, {:.4g}), clamped "
+        "at the head\n",
+        "rod", scene.mesh.node_s.back(), rod.length.size(), along.x(), along.y(), along.z());
+    fmt::print("  {:<8} {:.6g} N along the rod below the first segment, {} segment at the tip\n",
+               "weight", rod.weight_below.front(),
+               tip_weight == TipWeight::half ? "half a" : "a whole");
+    fmt::print("  {:<8} dead, along the rod, above weight; no wall, no torque\n\n", "load");
+}
+
+void print_modes(const std::vector<BucklingMode>& modes, const StraightRod& rod, double length) {
+    const std::optional<double> stiffness = euler_stiffness(rod);
+    fmt::print("  {:>5}  {:<11}  {:>18}{}\n", "mode", "bends about", "critical load (N)",
+               stiffness ? fmt::format("  {:>12}", "over Euler's") : "");
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+        const double load = modes[k].load;
+        fmt::print(
+            "  {:>5}  {:<11}  {:>18.10g}{}\n", k + 1, k % 2 == 0 ? "d1" : "d2", load,
+            stiffness ? fmt::format("  {:>12.6f}", load / euler_load(*stiffness, length, k)) : "");
+    }
+}
+
+void print_notes(const Scene& scene) {
+    const double tilt = std::abs(scene.down.dot(scene.head_frame.col(0)));
+    const bool has_weight = std::any_of(scene.weight.begin(), scene.weight.end(),
+                                        [](double weight) { return weight != 0; });
+    if (has_weight && tilt < 1 - 1e-12)
+        fmt::print(stderr,
+                   "drillstrand: note: the rod is not vertical; its weight counts with the "
+                   "component along it, the one across it is left out\n");
+    const std::vector<double>& weights = scene.bit.weight.values();
+    const bool has_load =
+        std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; });
+    if (has_load && scene.bit.direction == BitDirection::follower)
+        fmt::print(
+            stderr,
+            "drillstrand: note: bit.direction = \"follower\": a load that turns with the bit "
+            "has no critical load of this kind, the string flutters (drillstrand run shows "
+            "it); the loads above are those of a dead load\n");
+}
+
+void write_result(const Case& input, const Scene& scene, const BucklingOptions& options,
+                  const std::vector<BucklingMode>& modes) {
+    BucklingResult result;
+    result.header.title = input.title;
+    result.header.case_text = input.text;
+    result.header.node_s = scene.mesh.node_s;
+    result.header.segment_s = scene.mesh.segment_s;
+    result.tip_weight = options.tip_weight;
+    result.modes = modes;
+    write_buckling(options.output, result);
+}
+
+}  // namespace
+
+int buckling(const BucklingOptions& options) {
+    if (!options.output.empty())
+        static_cast<void>(checked_output(options.output, options.case_path));
+    const Case input = read_case(options.case_path, options.overrides);
+    const Scene scene = build_scene(input);
+    StraightRod rod;
+    std::vector<BucklingMode> modes;
+    try {
+        rod = rod_of(input, scene, options.tip_weight);
+        modes = modes_of(rod, options.modes);
+    } catch (const std::invalid_argument& error) {
+        throw InputError({input.path.string()}, error.what());
+    }
+    if (!options.output.empty()) write_result(input, scene, options, modes);
+    print_rod(input, scene, rod, options.tip_weight);
+    print_modes(modes, rod, scene.mesh.node_s.back());
+    print_notes(scene);
+    return done;
+}
+
+}  // namespace drillstrand::program
