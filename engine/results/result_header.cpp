@@ -1,0 +1,30 @@
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/scene.hpp"
+
+namespace drillstrand {
+
+ResultHeader result_header(const Case& input, const Scene& scene) {
+    ResultHeader header;
+    header.title = input.title;
+    header.case_text = input.text;
+    header.integrator =
+        input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince";
+    header.node_s = scene.mesh.node_s;
+    header.segment_s = scene.mesh.segment_s;
+    header.weight = scene.weight;
+    for (const SectionProperties& section : scene.mesh.node) {
+        header.mass.push_back(section.mass);
+        header.outer_radius.push_back(section.outer_radius);
+        header.polar_inertia.push_back(section.polar_inertia);
+    }
+    for (const SectionProperties& section : scene.mesh.segment) {
+        header.metal_area.push_back(section.metal_area);
+        header.yield_tension.push_back(section.yield.axial);
+        header.yield_bending.push_back(section.yield.bending);
+        header.yield_torque.push_back(section.yield.torsion);
+    }
+    header.well = input.well;
+    return header;
+}
+
+}  // namespace drillstrand

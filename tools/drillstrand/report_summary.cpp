@@ -1,0 +1,300 @@
+#include "report_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "drillstrand/well.hpp"
+#include "report_data.hpp"
+#include "report_series.hpp"
+#include "report_string.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+constexpr double large_energy_residual = 0.01;
+constexpr double degree = std::numbers::pi / 180;                // rad
+constexpr double revolution_per_minute = std::numbers::pi / 30;  // rad/s
+
+/// A unit of SI and one of the field, as factors to SI.
+struct Units {
+    const char* si_name;
+    double si;
+    const char* field_name;
+    double field;
+};
+
+constexpr Units force{"kN", 1e3, "klbf", 4448.2216152605};
+constexpr Units moment{"kN m", 1e3, "kft lbf", 1355.8179483314};
+constexpr Units length{"m", 1, "ft", 0.3048};
+constexpr Units diameter{"mm", 1e-3, "in", 0.0254};
+constexpr Units side_force{"kN/m", 1e3, "lbf/ft", 14.593902937206};
+constexpr Units mass{"t", 1e3, "klb", 453.59237};
+
+/// A number in words, in SI and in the field's units.
+struct Item {
+    std::string id;
+    std::string label;
+    std::string si;
+    std::string field;  ///< empty: as in SI
+};
+
+using Items = std::vector<Item>;
+
+Item quantity(const char* id, const char* label, double value, const Units& units,
+              const std::string& addition = "") {
+    return {id, label, fmt::format("{:.4g} {}{}", value / units.si, units.si_name, addition),
+            fmt::format("{:.4g} {}{}", value / units.field, units.field_name, addition)};
+}
+
+Item range(const char* id, const char* label, double least, double most, const Units& units) {
+    if (most - least <= 1e-9 * std::abs(most)) return quantity(id, label, most, units);
+    return {id, label,
+            fmt::format("{:.4g} to {:.4g} {}", least / units.si, most / units.si, units.si_name),
+            fmt::format("{:.4g} to {:.4g} {}", least / units.field, most / units.field,
+                        units.field_name)};
+}
+
+Item plain(const char* id, const char* label, const std::string& text) {
+    return {id, label, text, ""};
+}
+
+std::string json_of(const Items& items) {
+    std::vector<std::string> list;
+    for (const Item& item : items)
+        list.push_back(json_object({{"id", json_text(item.id)},
+                                    {"label", json_text(item.label)},
+                                    {"si", json_text(item.si)},
+                                    {"field", json_text(item.field)}}));
+    return json_list(list);
+}
+
+/// Where and when a quantity along the string was greatest.
+struct Peak {
+    double value = 0;
+    double s = 0;     ///< m
+    double time = 0;  ///< s
+};
+
+/// The greatest `value(profile, k)` over all profiles and places; numbers that are none count not.
+template <class Value>
+Peak peak_of(const std::vector<Profile>& profiles, const std::vector<double>& places,
+             Value&& value) {
+    Peak peak;
+    for (const Profile& profile : profiles)
+        for (std::size_t k = 0; k < places.size(); ++k)
+            if (const double found = value(profile, k); found > peak.value)
+                peak = {found, places[k], profile.time};
+    return peak;
+}
+
+Peak peak_of_yield(const Result& result) {
+    return peak_of(result.profiles, result.header.segment_s,
+                   [&](const Profile& profile, std::size_t k) {
+                       return yield_share(result.header, k, profile.stress[k]);
+                   });
+}
+
+std::string place_text(const Peak& peak, const Units& units, bool field) {
+    return fmt::format(" at {:.4g} {}, {:.4g} s", peak.s / (field ? units.field : units.si),
+                       field ? units.field_name : units.si_name, peak.time);
+}
+
+Item peak_item(const char* id, const char* label, const Peak& peak, const Units& units) {
+    Item item = quantity(id, label, peak.value, units);
+    item.si += place_text(peak, length, false);
+    item.field += place_text(peak, length, true);
+    return item;
+}
+
+Item yield_item(const Peak& peak) {
+    const std::string text = fmt::format("{:.3g} % of yield", 100 * peak.value);
+    return {"mises", "Von Mises stress, greatest", text + place_text(peak, length, false),
+            text + place_text(peak, length, true)};
+}
+
+double simulated_seconds(const Result& result) {
+    return result.series.empty() ? 0 : result.series.back().time - result.series.front().time;
+}
+
+Items run_items(const Result& result) {
+    const ResultFooter& footer = result.footer;
+    const StepStatistics& steps = footer.statistics;
+    Items items = {
+        plain("simulated", "Simulated", fmt::format("{:.6g} s", simulated_seconds(result))),
+        plain("wall", "Wall time", duration_text(footer.wall_seconds))};
+    if (footer.wall_seconds > 0)
+        items.push_back(plain("speed", "Speed",
+                              fmt::format("{:.3g} simulated s per s",
+                                          simulated_seconds(result) / footer.wall_seconds)));
+    items.push_back(
+        plain("steps", "Steps", fmt::format("{} ({} rejected)", steps.steps, steps.rejected)));
+    if (steps.largest_step > 0)
+        items.push_back(plain("step", "Step",
+                              fmt::format("{:.3g} to {:.3g} ms", 1e3 * steps.smallest_step,
+                                          1e3 * steps.largest_step)));
+    if (steps.time_error > 0)
+        items.push_back(plain("time-error", "Time error of 16 steps, greatest",
+                              fmt::format("{:.2g} %", 100 * steps.time_error)));
+    items.push_back(plain("residual", "Energy residual",
+                          fmt::format("{:.2g} %", 100 * footer.energy_residual)));
+    items.push_back(
+        plain("integrator", "Integrator",
+              fmt::format("{}, {} thread{}", result.header.integrator, result.header.threads,
+                          result.header.threads == 1 ? "" : "s")));
+    return items;
+}
+
+/// Sum of a quantity per length over the cells of the nodes, which end half-way between them.
+double total_of(const std::vector<double>& per_length, const std::vector<double>& node_s) {
+    double total = 0;
+    for (std::size_t k = 0; k < per_length.size(); ++k) {
+        const double from = k == 0 ? node_s[k] : (node_s[k - 1] + node_s[k]) / 2;
+        const double to = k + 1 == node_s.size() ? node_s[k] : (node_s[k] + node_s[k + 1]) / 2;
+        total += per_length[k] * (to - from);
+    }
+    return total;
+}
+
+Items string_items(const ResultHeader& header) {
+    Items items = {quantity("length", "Length", header.node_s.back(), length),
+                   plain("segments", "Segments", fmt::format("{}", header.segment_s.size()))};
+    if (header.mass.empty()) return items;
+    const auto [least, most] =
+        std::minmax_element(header.outer_radius.begin(), header.outer_radius.end());
+    items.push_back(quantity("mass", "Mass", total_of(header.mass, header.node_s), mass));
+    items.push_back(
+        quantity("weight", "Weight in the fluid", total_of(header.weight, header.node_s), force));
+    if (*most > 0)
+        items.push_back(range("outer-diameter", "Outer diameter", 2 * *least, 2 * *most, diameter));
+    return items;
+}
+
+Items well_items(const WellCase& well) {
+    double steepest = 0;
+    for (const SurveyStation& station : well.survey)
+        steepest = std::max(steepest, station.inclination);
+    double sharpest = 0;
+    for (const double severity : dogleg_severities(well.survey))
+        sharpest = std::max(sharpest, severity);
+    const auto [least, most] = std::minmax_element(
+        well.sections.begin(), well.sections.end(),
+        [](const WellSectionCase& a, const WellSectionCase& b) { return a.diameter < b.diameter; });
+    return {range("measured-depth", "Measured depth of the survey",
+                  well.survey.front().measured_depth, well.survey.back().measured_depth, length),
+            quantity("vertical-depth", "Vertical depth of its end below its start",
+                     station_positions(well.survey).back().z(), length),
+            plain("inclination", "Greatest inclination", fmt::format("{:.4g}°", steepest / degree)),
+            {"dogleg", "Greatest dogleg severity",
+             fmt::format("{:.3g}° per 30 m", sharpest * 30 / degree),
+             fmt::format("{:.3g}° per 100 ft", sharpest * 30.48 / degree)},
+            range("hole", "Diameter of the hole", least->diameter, most->diameter, diameter)};
+}
+
+/// Range of a series in words.
+template <class Value>
+Item series_range(const char* id, const char* label, const std::vector<SeriesRecord>& series,
+                  const Units& units, Value&& value) {
+    double least = value(series.front());
+    double most = least;
+    for (const SeriesRecord& record : series) {
+        least = std::min(least, value(record));
+        most = std::max(most, value(record));
+    }
+    return range(id, label, least, most, units);
+}
+
+double hook_load(const SeriesRecord& record) {
+    return record.head_stress[3];
+}
+
+double weight_on_bit(const SeriesRecord& record) {
+    return -record.bit_stress[3];
+}
+
+double surface_torque(const SeriesRecord& record) {
+    return driving_torque(record.head_stress);
+}
+
+Items load_items(const Result& result) {
+    Items items = {
+        series_range("hook-load-range", "Hook load", result.series, force, hook_load),
+        series_range("torque-range", "Surface torque", result.series, moment, surface_torque),
+        series_range("weight-on-bit-range", "Weight on bit", result.series, force, weight_on_bit)};
+    if (const Peak peak = peak_of_yield(result); peak.value > 0) items.push_back(yield_item(peak));
+    const Peak side =
+        peak_of(result.profiles, result.header.node_s,
+                [](const Profile& profile, std::size_t k) { return profile.normal_force[k]; });
+    if (side.value > 0)
+        items.push_back(peak_item("side-force", "Side force, greatest", side, side_force));
+    return items;
+}
+
+std::string group(const char* title, const Items& items) {
+    return json_object({{"title", json_text(title)}, {"items", json_of(items)}});
+}
+
+}  // namespace
+
+std::string status_json(const std::string& status) {
+    std::string text = status;
+    if (status == "running") text = "running, or killed before its end";
+    return json_object(
+        {{"text", json_text(text)}, {"good", status == "complete" ? "true" : "false"}});
+}
+
+std::string tiles_json(const Result& result) {
+    if (result.series.empty()) return "[]";
+    const SeriesRecord& last = result.series.back();
+    Items items = {
+        plain("end-time", "Time at the last record", fmt::format("{:.6g} s", last.time)),
+        quantity("hook-load", "Hook load then", hook_load(last), force),
+        quantity("torque", "Surface torque then", surface_torque(last), moment),
+        quantity("weight-on-bit", "Weight on bit then", weight_on_bit(last), force),
+        plain("top-rotation", "Rotation of the top then",
+              fmt::format("{:.4g} rpm", last.head_rotation_rate / revolution_per_minute)),
+        plain("bit-rotation", "Rotation of the bit then",
+              fmt::format("{:.4g} rpm", last.bit_rotation_rate / revolution_per_minute))};
+    if (const Peak peak = peak_of_yield(result); peak.value > 0)
+        items.push_back(plain("greatest-mises", "Von Mises, greatest",
+                              fmt::format("{:.3g} % of yield", 100 * peak.value)));
+    items.push_back(plain("energy-residual", "Energy residual",
+                          fmt::format("{:.2g} %", 100 * result.footer.energy_residual)));
+    return json_of(items);
+}
+
+std::string facts_json(const Result& result) {
+    std::vector<std::string> groups = {group("Run", run_items(result))};
+    if (!result.header.node_s.empty())
+        groups.push_back(group("String", string_items(result.header)));
+    if (result.header.well) groups.push_back(group("Well", well_items(*result.header.well)));
+    if (!result.series.empty()) groups.push_back(group("Loads over the run", load_items(result)));
+    return json_list(groups);
+}
+
+std::vector<std::string> warnings_of(const Result& result) {
+    std::vector<std::string> warnings;
+    const ResultFooter& footer = result.footer;
+    if (footer.status == "running")
+        warnings.push_back("The run goes on, or was killed: the pictures end at its last record.");
+    else if (footer.status != "complete")
+        warnings.push_back("The run did not come to its end: " + footer.status + ".");
+    if (std::abs(footer.energy_residual) > large_energy_residual)
+        warnings.push_back(fmt::format(
+            "{:.2g} % of the energy that moved {}; the time steps are too long, or the scene gains "
+            "energy.",
+            100 * std::abs(footer.energy_residual),
+            footer.energy_residual > 0 ? "appeared from nowhere" : "vanished unaccounted for"));
+    if (const Peak peak = peak_of_yield(result); peak.value > 1)
+        warnings.push_back(
+            fmt::format("The stress reached {:.3g} times the yield strength.", peak.value));
+    return warnings;
+}
+
+}  // namespace drillstrand::program
