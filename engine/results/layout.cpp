@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "drillstrand/result_layout.hpp"
+#include "drillstrand/well.hpp"
 
 namespace drillstrand {
 
@@ -101,6 +102,30 @@ const std::vector<RecordDataset<ResultHeader>>& mesh_datasets() {
     return table;
 }
 
+const std::vector<RecordDataset<ResultHeader>>& string_datasets() {
+    using H = ResultHeader;
+    static const std::vector<RecordDataset<H>> table = {
+        values<H, &H::mass>("/string/mass", Rows::nodes, "kg/m", "mass per length"),
+        values<H, &H::weight>("/string/weight", Rows::nodes, "N/m",
+                              "weight per length, less that of the fluid displaced"),
+        values<H, &H::outer_radius>("/string/outer_radius", Rows::nodes, "m",
+                                    "outer radius of the pipe"),
+        values<H, &H::polar_inertia>("/string/polar_inertia", Rows::nodes, "kg m",
+                                     "moment of inertia per length about the axis: angular "
+                                     "momentum about d3 divided by the rate of rotation"),
+        values<H, &H::metal_area>("/string/metal_area", Rows::segments, "m2",
+                                  "area of the metal in the cross section"),
+        values<H, &H::yield_tension>("/string/yield_tension", Rows::segments, "N",
+                                     "axial force that alone brings the weakest pipe of the "
+                                     "segment to yield, infinite where unknown"),
+        values<H, &H::yield_bending>("/string/yield_bending", Rows::segments, "N m",
+                                     "bending moment that alone brings it to yield"),
+        values<H, &H::yield_torque>("/string/yield_torque", Rows::segments, "N m",
+                                    "torque that alone brings it to yield"),
+    };
+    return table;
+}
+
 const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
     using R = SeriesRecord;
     using E = EnergyAccount;
@@ -177,6 +202,60 @@ const std::vector<RecordDataset<Profile>>& profile_datasets() {
                                    "north, east, down"),
         profile<&P::normal_force>("/profiles/normal_force", Rows::nodes, "N/m",
                                   "normal force of the wall on the pipe per length, not negative"),
+    };
+    return table;
+}
+
+namespace {
+
+/// Dataset of one member of the rows that WellCase holds in `list`.
+template <auto list, auto member>
+WellDataset well_value(const char* path, const char* extent, const char* units,
+                       const char* description) {
+    return {path,
+            extent,
+            1,
+            units,
+            description,
+            [](const WellCase& well) {
+                std::vector<double> values;
+                for (const auto& row : well.*list)
+                    values.push_back(row.*member);
+                return values;
+            },
+            [](WellCase& well, const std::vector<double>& values) {
+                (well.*list).resize(values.size());
+                for (std::size_t k = 0; k < values.size(); ++k)
+                    (well.*list)[k].*member = values[k];
+            }};
+}
+
+std::vector<double> station_coordinates(const WellCase& well) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& position : station_positions(well.survey))
+        values.insert(values.end(), position.begin(), position.end());
+    return values;
+}
+
+}  // namespace
+
+const std::vector<WellDataset>& well_datasets() {
+    using W = WellCase;
+    static const std::vector<WellDataset> table = {
+        well_value<&W::survey, &SurveyStation::measured_depth>(
+            "/well/measured_depth", "S", "m", "measured depth of the survey's stations"),
+        well_value<&W::survey, &SurveyStation::inclination>(
+            "/well/inclination", "S", "rad", "angle of the well from the vertical at the stations"),
+        well_value<&W::survey, &SurveyStation::azimuth>(
+            "/well/azimuth", "S", "rad", "direction of the well, clockwise from north"),
+        {"/well/position", "S", 3, "m",
+         "position of the stations by minimum curvature: north, east, down", &station_coordinates,
+         [](WellCase&, const std::vector<double>&) {}},
+        well_value<&W::sections, &WellSectionCase::to>(
+            "/well/section_end", "D", "m",
+            "measured depth at which a section of one diameter ends; the last one goes on"),
+        well_value<&W::sections, &WellSectionCase::diameter>("/well/section_diameter", "D", "m",
+                                                             "diameter of the hole in the section"),
     };
     return table;
 }

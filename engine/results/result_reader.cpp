@@ -3,6 +3,7 @@
 #include "drillstrand/result_file.hpp"
 #include "results/hdf5.hpp"
 #include "results/reading.hpp"
+#include "results/scene_datasets.hpp"
 
 namespace drillstrand {
 
@@ -51,6 +52,7 @@ Result read_result(const std::filesystem::path& path) {
         Result result;
         read_attributes(file.openGroup("/"), result);
         hdf5::read_mesh(file, "", result.header);
+        hdf5::read_scene(file, result.header);
         const std::size_t segments = result.header.segment_s.size();
         result.series = ascending(hdf5::read_records(file, series_datasets(), segments));
         result.profiles = ascending(hdf5::read_records(file, profile_datasets(), segments));

@@ -4,6 +4,7 @@
 #include "drillstrand/result_file.hpp"
 #include "results/hdf5.hpp"
 #include "results/new_file.hpp"
+#include "results/scene_datasets.hpp"
 
 namespace drillstrand {
 
@@ -126,6 +127,7 @@ H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
     hdf5::write_attribute(root, "integrator", header.integrator);
     hdf5::write_attribute(root, "threads", std::int64_t{header.threads});
     hdf5::write_mesh(file, "", header);
+    hdf5::write_scene(file, header);
     return file;
 }
 

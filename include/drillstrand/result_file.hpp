@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "drillstrand/case.hpp"
 #include "drillstrand/records.hpp"
 
 namespace drillstrand {
@@ -19,7 +21,24 @@ struct ResultHeader {
     int threads = 1;
     std::vector<double> node_s;     ///< N+1 (m)
     std::vector<double> segment_s;  ///< N (m)
+
+    // The string, for pictures and other programs. Empty where a file does not say.
+    std::vector<double> mass;           ///< N+1, per length (kg/m)
+    std::vector<double> weight;         ///< N+1, per length, buoyed (N/m)
+    std::vector<double> outer_radius;   ///< N+1 (m)
+    std::vector<double> polar_inertia;  ///< N+1, per length, about the axis (kg m)
+    std::vector<double> metal_area;     ///< N (m2)
+    std::vector<double> yield_tension;  ///< N, of YieldLoads (N)
+    std::vector<double> yield_bending;  ///< N (N m)
+    std::vector<double> yield_torque;   ///< N (N m)
+
+    std::optional<WellCase> well;  ///< unset: no well, or a file that does not say
 };
+
+struct Scene;
+
+/// What a result file of this case says; `threads` is left to the caller.
+ResultHeader result_header(const Case& input, const Scene& scene);
 
 /// How a run ended, or how far it has come; becomes root attributes.
 struct ResultFooter {

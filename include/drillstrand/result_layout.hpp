@@ -34,6 +34,24 @@ struct RecordDataset {
 /// Written once.
 const std::vector<RecordDataset<ResultHeader>>& mesh_datasets();
 
+/// Written once, where the header has them.
+const std::vector<RecordDataset<ResultHeader>>& string_datasets();
+
+/// A dataset of the well, written once where there is one.
+struct WellDataset {
+    std::string path;
+    std::string extent;          ///< number of rows as README.md writes it
+    std::size_t components = 1;  ///< values per row
+    std::string units;
+    std::string description;
+    std::vector<double> (*values)(const WellCase& well);  ///< row by row
+    /// Sets what `values` came from; does nothing for what follows from other datasets.
+    void (*assign)(WellCase& well, const std::vector<double>& values);
+};
+
+/// The survey, then the sections.
+const std::vector<WellDataset>& well_datasets();
+
 /// One entry per record; the first one is the time.
 const std::vector<RecordDataset<SeriesRecord>>& series_datasets();
 const std::vector<RecordDataset<Profile>>& profile_datasets();

@@ -28,6 +28,8 @@ class MadeUpRun {
         header.integrator = "dormand-prince";
         header.threads = 3;
         fill(header, mesh_datasets());
+        fill(header, string_datasets());
+        header.well = well();
         return header;
     }
 
@@ -48,6 +50,15 @@ class MadeUpRun {
     double number() {
         const double mantissa = std::uniform_real_distribution<double>(-1, 1)(random_);
         return std::ldexp(mantissa, std::uniform_int_distribution<int>(-1080, 1000)(random_));
+    }
+
+    WellCase well() {
+        const auto angle = [&] { return std::abs(std::remainder(number(), 1.0)); };
+        WellCase well;
+        for (int k = 0; k < 3; ++k)
+            well.survey.push_back({100.0 * k, angle(), angle()});
+        well.sections = {{number(), number()}, {number(), number()}};
+        return well;
     }
 
     template <class Record>

@@ -63,6 +63,10 @@ TEST(ResultFile, EveryDatasetComesBackBitForBit) {
 
     const Result result = read_result(folder / "out.h5");
     expect_same_bits(header, result.header, mesh_datasets());
+    expect_same_bits(header, result.header, string_datasets());
+    ASSERT_TRUE(result.header.well);
+    for (const auto& entry : well_datasets())
+        EXPECT_EQ(entry.values(*result.header.well), entry.values(*header.well)) << entry.path;
     ASSERT_EQ(result.series.size(), series.size());
     for (std::size_t k = 0; k < series.size(); ++k)
         expect_same_bits(series[k], result.series[k], series_datasets());
@@ -218,8 +222,26 @@ void expect_described(const std::string& readme, const std::vector<RecordDataset
 TEST(ResultFile, TheReadmeListsEveryDataset) {
     const std::string readme = text_of(DRILLSTRAND_SOURCE_DIR "/engine/results/README.md");
     expect_described(readme, mesh_datasets(), "");
+    expect_described(readme, string_datasets(), "");
+    for (const auto& entry : well_datasets())
+        EXPECT_THAT(readme, HasSubstr("| `" + entry.path + "` | " + entry.extent +
+                                      (entry.components > 1 ? " x 3" : "") + " | " + entry.units +
+                                      " | " + entry.description + " |"));
     expect_described(readme, series_datasets(), "T");
     expect_described(readme, profile_datasets(), "P");
+}
+
+TEST(ResultFile, HasNoWellAndNoStringWhereTheHeaderHasNone) {
+    const ScratchFolder folder;
+    ResultHeader header = MadeUpRun(3).header();
+    header.well.reset();
+    header.outer_radius.clear();
+    ResultWriter(folder / "out.h5", header).close({});
+    const Result result = read_result(folder / "out.h5");
+    EXPECT_FALSE(result.header.well);
+    EXPECT_TRUE(result.header.outer_radius.empty());
+    EXPECT_TRUE(result.header.yield_torque.empty());
+    EXPECT_EQ(result.header.node_s, header.node_s);
 }
 
 TEST(ResultFile, OtherProgramsFindEveryDatasetWithUnitsAndDescription) {

@@ -30,15 +30,9 @@ fs::path choose_output(const RunOptions& options) {
     return checked_output(output, options.case_path);
 }
 
-ResultHeader result_header(const Case& input, const Scene& scene, int threads) {
-    ResultHeader header;
-    header.title = input.title;
-    header.case_text = input.text;
-    header.integrator =
-        input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince";
+ResultHeader run_header(const Case& input, const Scene& scene, int threads) {
+    ResultHeader header = result_header(input, scene);
     header.threads = threads;
-    header.node_s = scene.mesh.node_s;
-    header.segment_s = scene.mesh.segment_s;
     return header;
 }
 
@@ -146,8 +140,7 @@ int run(const RunOptions& options) {
     // as asked, or as chosen
     const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
     watch_signals();
-    Recorder recorder(output, result_header(input, scene, threads), input.run.duration,
-                      options.quiet);
+    Recorder recorder(output, run_header(input, scene, threads), input.run.duration, options.quiet);
     try {
         const RunSchedule schedule{input.run.duration, input.output.interval,
                                    input.output.profile_interval};
