@@ -122,7 +122,7 @@ def describe(s, lateral, looked_at):
 
 
 def helix_contact(axial_force, bending_stiffness, clearance):
-    """Force per length with which a helix is pressed on the wall, r F^2 / (4 EI) (Lubinski; N/m)."""
+    """Force per length of the wall on a helix, r F^2 / (4 EI) (Lubinski; N/m)."""
     return clearance * np.square(axial_force) / (4 * bending_stiffness)
 
 

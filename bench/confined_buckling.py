@@ -187,7 +187,8 @@ def vertical_cells(row):
         "near formula, from (m above the bit)", "near formula, to (m above the bit)",
         "over formula there"))
     return {**first_cells(row),
-            "turns (formula)": f"{row['wound (turns)']:.2f} ({row['wound by formula (turns)']:.2f})",
+            "turns (formula)":
+                f"{row['wound (turns)']:.2f} ({row['wound by formula (turns)']:.2f})",
             "contact begins, above the bit (neutral point)":
                 f"{row['contact begins (m above the bit)']:.0f} m "
                 f"({row['neutral point (m above the bit)']:.0f} m)",
@@ -256,7 +257,7 @@ def draw_shapes(results, path):
             panel.plot(result.s[part], across, toward, **line)
             panel.set(xlabel="from the head (m)", ylabel="east (mm)", zlabel="down (mm)",
                       yticks=SIDES, zticks=SIDES)
-            panel.set_box_aspect((2.6, 1, 1), zoom=1.0)
+            panel.set_box_aspect((2.6, 1, 1), zoom=0.88)
         panel.invert_zaxis()
         panel.tick_params(labelsize=7)
     measure.save(picture, path)
@@ -278,8 +279,8 @@ def draw_bending(results, path):
         part = (middle >= begin) & (middle <= end)
         for column, (colour, name) in enumerate(((measure.BLUE, "about d1"),
                                                  (measure.ORANGE, "about d2"))):
-            panel.plot(middle[part], 1e-3 * result.bending[part, column], color=colour, linewidth=0.9,
-                       label=name)
+            panel.plot(middle[part], 1e-3 * result.bending[part, column], color=colour,
+                       linewidth=0.9, label=name)
         panel.set(xlabel="from the head (m)", xlim=(begin, end))
     pairs[0][0].legend(fontsize=8, loc="upper left")
     for panel, _ in pairs[::3]:
@@ -352,6 +353,7 @@ def write_readme(rows, facts, folder):
     tables = [measure.markdown([cells(row) for row in rows if row["well"] == well])
               for well, cells in (("vertical", vertical_cells),
                                   ("horizontal", horizontal_cells))]
+    azimuth = folder / "confined_buckling_vertical_azimuth.png"
     measure.fill_readme(
         "confined-buckling", facts,
         "The paper's six loads with `leapfrog`, on a fine mesh with a stiff wall, a dead load and "
@@ -361,7 +363,7 @@ def write_readme(rows, facts, folder):
         + critical_loads(),
         "Vertical well:", tables[0],
         f"Horizontal well, without the {END_ZONE} m next to each end:", tables[1],
-        f"![azimuth]({(folder / 'confined_buckling_vertical_azimuth.png').relative_to(measure.ROOT)})",
+        f"![azimuth of the contact]({azimuth.relative_to(measure.ROOT)})",
         picture=folder / "confined_buckling_horizontal_wall.png")
 
 
