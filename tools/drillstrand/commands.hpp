@@ -50,6 +50,16 @@ struct BucklingOptions {
 
 int buckling(const BucklingOptions& options);
 
+struct ReportOptions {
+    std::filesystem::path result;
+    std::filesystem::path output;    ///< empty: the result's stem + .html in the working directory
+    std::filesystem::path measured;  ///< empty: nothing to compare with
+    std::string offset;              ///< of the measured clock, a quantity of time; empty: none
+    bool follow = false;             ///< write again until the run ends
+};
+
+int report(const ReportOptions& options);
+
 int info(const std::filesystem::path& result_path);
 
 }  // namespace drillstrand::program

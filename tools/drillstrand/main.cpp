@@ -18,8 +18,8 @@ namespace drillstrand::program {
 namespace {
 
 /// Commands of the interface that later versions bring.
-constexpr std::array<std::string_view, 5> later_commands = {"equilibrium", "torque-drag", "report",
-                                                            "export", "study"};
+constexpr std::array<std::string_view, 4> later_commands = {"equilibrium", "torque-drag", "export",
+                                                            "study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -50,8 +50,9 @@ class CommandLine {
         add_run();
         add_check();
         add_buckling();
+        add_report();
         add_info();
-        for (CLI::App* command : {run_, check_, buckling_, info_})
+        for (CLI::App* command : {run_, check_, buckling_, report_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -68,6 +69,8 @@ class CommandLine {
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
+        if (report_->parsed())
+            return report({result_path_, output_, measured_path_, offset_, follow_});
         if (info_->parsed()) return info(result_path_);
         throw UsageError("no command; see drillstrand --help");
     }
@@ -111,6 +114,25 @@ class CommandLine {
         buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
+    }
+
+    void add_report() {
+        report_ = app_.add_subcommand("report", "Write a page of pictures of a result file");
+        report_->add_option("OUT.h5", result_path_, "The result file")->required();
+        report_
+            ->add_option(
+                "-o,--output", output_,
+                "The page; default: the result's name with .html, in the working directory")
+            ->type_name("OUT.html");
+        report_
+            ->add_option("--compare", measured_path_,
+                         "Table of measured channels to lay beside: time, hook_load, torque")
+            ->type_name("MEASURED.csv");
+        report_
+            ->add_option("--offset", offset_,
+                         "What to add to measured times, as in \"30 s\" or \"-2 min\"")
+            ->type_name("TIME");
+        report_->add_flag("--follow", follow_, "Write the page again until the run ends");
     }
 
     void add_info() {
@@ -159,7 +181,8 @@ class CommandLine {
         const bool is_command = argc > 1 && argv[1][0] != '-';
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
-                "unknown command '{}'; the commands are run, check, buckling and info", argv[1]);
+                "unknown command '{}'; the commands are run, check, buckling, report and info",
+                argv[1]);
         return error.what();
     }
 
@@ -173,16 +196,20 @@ class CommandLine {
     CLI::App* run_ = nullptr;
     CLI::App* check_ = nullptr;
     CLI::App* buckling_ = nullptr;
+    CLI::App* report_ = nullptr;
     CLI::App* info_ = nullptr;
     std::string case_path_;
     std::string result_path_;
     std::string output_;
+    std::string measured_path_;
+    std::string offset_;
     std::string restart_;
     int threads_ = -1;
     int modes_ = 6;
     std::string tip_weight_ = "half";
     std::vector<std::string> overrides_;
     bool quiet_ = false;
+    bool follow_ = false;
 };
 
 }  // namespace

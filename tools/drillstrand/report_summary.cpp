@@ -207,6 +207,10 @@ Item series_range(const char* id, const char* label, const std::vector<SeriesRec
         least = std::min(least, value(record));
         most = std::max(most, value(record));
     }
+    // Rounding of what is zero is not worth its digits.
+    const double rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
+    if (std::abs(least) < rounding) least = 0;
+    if (std::abs(most) < rounding) most = 0;
     return range(id, label, least, most, units);
 }
 

@@ -40,5 +40,8 @@ export async function showSection(page, id) {
   await page.waitForFunction((name) =>
     [...document.querySelectorAll(`#${name} .plot`)].every((plot) => plot.data) &&
     [...document.querySelectorAll(`#${name} canvas`)].every((canvas) => canvas.dataset.points), id);
-  await page.waitForTimeout(50);
+  // Drawing changes the height of what is above; the section may have moved on.
+  await page.waitForTimeout(200);
+  await page.locator(`#${id}`).evaluate((section) => section.scrollIntoView());
+  await page.waitForTimeout(100);
 }

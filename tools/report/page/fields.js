@@ -31,7 +31,7 @@ function availableFields() {
   if (metadata.well)
     fields.side = { title: "Side force", quantity: "sideForce", on: "nodes", values: stored("side") };
   if (hasSpin())
-    fields.spin = { title: "Spin", quantity: "rotation", on: "nodes", signed: true, values: stored("spin") };
+    fields.spin = { title: "Spin", quantity: "rotation", on: "nodes", values: stored("spin") };
   return fields;
 }
 
@@ -40,15 +40,18 @@ const frameCount = () => array("profiles/time").length;
 
 const rangeOfField = new Map();
 
-/** Least and greatest value of a field over all frames, but for the largest half percent. */
+/** Colours end where all but a hundredth of the values lie: single impacts would drown the rest. */
+const rangeShare = 0.99;
+
+/** Least and greatest value of a field that has a colour of its own. */
 function fieldRange(field) {
   if (!rangeOfField.has(field.title)) {
     const sample = [];
     const every = Math.max(1, Math.floor(frameCount() / 60));
     for (let frame = 0; frame < frameCount(); frame += every) sample.push(...field.values(frame));
-    let [least, most] = [quantile(sample, 0.002), quantile(sample, 0.998)];
+    let [least, most] = [quantile(sample, 1 - rangeShare), quantile(sample, rangeShare)];
     if (!field.signed) least = Math.min(0, least);
-    if (field.signed && least < 0 && most > 0 && field.title !== "Spin") least = -(most = Math.max(-least, most));
+    if (field.signed && least < 0 && most > 0) least = -(most = Math.max(-least, most));
     if (least === most) most = least + (Math.abs(least) || 1) * 1e-3;
     rangeOfField.set(field.title, [least, most]);
   }

@@ -3,14 +3,14 @@
 function addOrbit() {
   if (!metadata.well || !hasProfiles() || !has("view/clearance")) return;
   const section = addSection("orbit", "Whirl",
-    "The way of the pipe's axis across the well at one place, seen down the hole, within the circle that the wall leaves it. " + metadata.orbit_note);
+    "The way of the pipe's axis across the well at one place, seen down the hole, within the circle that the wall leaves it (dashed; outside it the pipe presses into the wall). " + metadata.orbit_note);
   const node = { index: Math.max(0, array("mesh/node_s").length - 2) };
   const output = element("output", { id: "orbit-depth" });
   const slider = element("input", { type: "range", id: "orbit-node", min: 0, max: array("mesh/node_s").length - 1, step: 1,
     "aria-label": "Depth of the node", oninput: () => { node.index = slider.valueAsNumber; update(); } });
   slider.value = node.index;
   section.append(element("div", { class: "bar" }, element("label", { class: "wide" }, "Depth", slider, output)), timeBar());
-  const redrawPlot = addPlot(section, "orbit", () => orbitPlot(node.index));
+  const redrawPlot = addPlot(section, "orbit", () => orbitPlot(node.index), "square");
   const update = () => {
     output.textContent = withUnit(array("mesh/node_s")[node.index], "length", 5);
     redrawPlot();

@@ -98,9 +98,9 @@ function layoutStyle(height) {
 }
 
 /** A plot by Plotly in a panel of its own; `describe()` gives its traces and layout. */
-function addPlot(parent, name, describe) {
+function addPlot(parent, name, describe, look = "") {
   const plot = element("div", { class: "plot", id: `plot-${name}` });
-  parent.append(element("div", { class: "panel" }, plot));
+  parent.append(element("div", { class: `panel ${look}` }, plot));
   plot.style.minHeight = "200px";
   return addPicture(plot, () => {
     const { traces, layout } = describe();
@@ -183,7 +183,7 @@ function stripPlot(strips, stripHeight = 150) {
     const top = 1 - (k * step) / inner;
     const bottom = Math.max(0, 1 - (k * step + step - gap) / inner);
     layout[`yaxis${suffix}`] = {
-      ...axisStyle(unitOf(strip.quantity)),
+      ...axisStyle(unitOf(strip.quantity) || strip.unit || "number"),
       domain: [bottom, top],
       ...(strip.type ? { type: strip.type, exponentformat: "power" } : {}),
       ...(strip.range ? { range: strip.range } : {}),

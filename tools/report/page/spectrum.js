@@ -92,17 +92,16 @@ function spectrumPlot(channel, interval, size) {
   layout.margin.t = 12;
   layout.xaxis = { ...axisStyle("Time (s)"), showgrid: false };
   layout.yaxis = { ...axisStyle("Frequency (Hz)"), showgrid: false, range: [0, frequency[frequency.length - 1]] };
-  const z = amplitude.map((values) => values.map((value) => Math.log10(Math.max(value * factor, 1e-12))));
+  const amplitudes = frequency.map((_, k) => amplitude.map((values) => values[k] * factor));
+  const z = amplitudes.map((values) => values.map((value) => Math.log10(Math.max(value, 1e-12))));
   const powers = [0, -1, -2, -3].map((k) => Math.floor(most) + k);
   const heat = {
-    type: "heatmap", x: time, y: frequency, z, transpose: true, colorscale: sequential, zmin: most - 3.5, zmax: most,
-    customdata: amplitude, 
+    type: "heatmap", x: time, y: frequency, z, customdata: amplitudes, colorscale: sequential, zmin: most - 3.5, zmax: most,
     colorbar: { title: { text: titled("Amplitude", "moment"), side: isNarrow() ? "top" : "right", font: { size: 12, color: colour("soft") } },
       tickvals: powers, ticktext: powers.map((k) => digits(10 ** k, 3)), tickfont: { size: 11, color: colour("soft") }, thickness: 12, outlinewidth: 0,
       ...(isNarrow() ? { orientation: "h", y: 1.02, yanchor: "bottom", len: 1 } : {}) },
-    hovertemplate: "%{x:.5~g} s, %{y:.3~g} Hz<extra></extra>",
+    hovertemplate: `%{x:.5~g} s, %{y:.3~g} Hz: %{customdata:.3~g} ${unitOf("moment")}<extra></extra>`,
   };
-  delete heat.customdata;
   const rate = array("dense/head_rate");
   const turns = time.map((value) => Math.abs(rate[Math.min(rate.length - 1, Math.round((value - metadata.dense_start) / interval))]) / (2 * Math.PI));
   const line = { type: "scatter", mode: "lines", x: time, y: turns, line: { color: "#ffffff", width: 1.2, dash: "dot" },
@@ -121,8 +120,9 @@ function stickSlipIndex(time, bit, head, window) {
     const [least, most] = extremes(bit.subarray(from, to));
     let mean = 0;
     for (let i = from; i < to; ++i) mean += Math.abs(head[i]) / (to - from);
-    // Below a turn in ten seconds of the top the ratio says nothing.
-    if (mean < 0.6) continue;
+    // Where the top hardly turns, or changes its rate, the ratio says nothing.
+    const [slowest, fastest] = extremes(head.subarray(from, to));
+    if (mean < 0.6 || fastest - slowest > 0.2 * mean) continue;
     result.time.push(middle);
     result.index.push((most - least) / (2 * mean));
   }
@@ -147,8 +147,8 @@ function addStickSlip() {
   const { time: middle, index } = stickSlipIndex(time, array("dense/bit_rate"), array("dense/head_rate"), window);
   if (index.length < 2) return;
   const section = addSection("stickslip", "Stick-slip",
-    `Stick-slip index: half the range of the bit's rate of rotation over the mean rate of the top, in a sliding window of ${digits(window, 3)} s. ` +
-    "From 1 on (the dotted line) the bit stands still for moments.");
+    `Stick-slip index: half the range of the bit's rate of rotation over the mean rate of the top, in a sliding window of ${digits(window, 3)} s ` +
+    "in which the top turns steadily. From 1 on (the dotted line) the bit stands still for moments.");
   addPlot(section, "stickslip", () => {
     const plot = stripPlot([
       { title: "Stick-slip index", quantity: "count", lines: [{ name: "", values: Float64Array.from(index), time: middle, colour: 1 }] },

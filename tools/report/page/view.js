@@ -76,7 +76,7 @@ class View {
       const values = array("view/base").filter((_, k) => k % 3 === c);
       return extremes(values);
     }).reduce(([a, b], [low, high]) => [Math.min(a, 0), Math.max(b, high - low)], [0, 0]);
-    this.standardFactor = typical > 0 ? roundNumber((0.018 * (most - least)) / typical) : 1;
+    this.standardFactor = typical > 0 ? roundNumber((0.035 * (most - least)) / typical) : 1;
     this.factor = this.standardFactor;
     this.box = boundingBox(this.standardFactor);
     this.reset();
@@ -297,7 +297,7 @@ function addView() {
   const canvas = element("canvas", { id: "plot-view", tabindex: 0, role: "img", "aria-label": "Well and string in three dimensions" });
   const rampBar = element("div", { class: "ramp" });
   const [leastText, mostText, name] = [element("span"), element("span"), element("span")];
-  const panel = element("div", { class: "panel view" }, canvas,
+  const panel = element("div", { class: "panel" }, canvas,
     element("div", { class: "scale" }, name, leastText, rampBar, mostText));
   const view = new View(canvas, fields.axial);
 
