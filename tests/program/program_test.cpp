@@ -308,7 +308,6 @@ TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
     const std::vector<std::vector<std::string>> later = {
         {"equilibrium", "pipe.toml", "-o", "e.h5"},
         {"torque-drag", "pipe.toml"},
-        {"report", "out.h5"},
         {"export", "out.h5", "--vtk"},
         {"study", "study.toml"},
         {"run", "pipe.toml", "--restart", "checkpoint.h5"}};
