@@ -42,7 +42,7 @@ struct Answer {
     double hook_load = nan;
     double surface_torque = nan;
     double neutral_point = nan;
-    BucklingState buckling = BucklingState::none;
+    BucklingState buckling = BucklingState::unknown;
     SoftLoad soft;
     TorqueDragProfile profile;
     std::optional<std::string> failure;
@@ -95,7 +95,7 @@ void describe_site(const Site& site, const Vector6& stress, TorqueDragProfile& p
     const double bending = stress.segment<2>(1).norm() / site.section_modulus;
     const double shear = stress[0] / (2 * site.section_modulus);
     profile.tension.push_back(stress[3]);
-    profile.torque.push_back(-stress[0]);
+    profile.torque.push_back(0.0 - stress[0]);  // no minus before a zero
     profile.bending_stress.push_back(bending);
     profile.von_mises_stress.push_back(von_mises_stress(stress[3] / site.area, bending, shear));
     profile.buckling.push_back(buckling_state(stress[3], site.limits));
@@ -113,7 +113,6 @@ void describe_stiff(const TrippedString& string, const Equilibrium& found,
 
 void describe_soft(const TrippedString& string, const SoftProfile& soft,
                    TorqueDragProfile& profile) {
-    profile.measured_depth = string.measured_depth;
     for (const Site& site : string.sites) {
         profile.sinusoidal_limit.push_back(site.limits.sinusoidal);
         profile.helical_limit.push_back(site.limits.helical);
@@ -157,7 +156,7 @@ double neutral_point(const TrippedString& string, const Answer& answer, double b
 void answer_stiff(const TrippedString& string, const Equilibrium& found, double bit_tension,
                   Answer& answer) {
     answer.hook_load = found.hook_load;
-    answer.surface_torque = found.surface_torque;
+    answer.surface_torque = 0.0 + found.surface_torque;
     describe_stiff(string, found, answer.profile);
     answer.neutral_point = neutral_point(string, answer, bit_tension);
     answer.buckling =
@@ -166,11 +165,11 @@ void answer_stiff(const TrippedString& string, const Equilibrium& found, double 
 
 /// Values of a profile that no equilibrium gave.
 void leave_open(TorqueDragProfile& profile) {
-    const std::size_t count = profile.measured_depth.size();
+    const std::size_t count = profile.soft_tension.size();
     for (auto* values : {&profile.tension, &profile.torque, &profile.side_force,
                          &profile.bending_stress, &profile.von_mises_stress})
         values->assign(count, nan);
-    profile.buckling.assign(count, BucklingState::none);
+    profile.buckling.assign(count, BucklingState::unknown);
 }
 
 /// Equilibria of one string in motion, which start from equilibria of the string at rest.
@@ -320,9 +319,10 @@ TorqueDrag compute_torque_drag(const Case& input, int threads) {
         for (Answer& answer : answers[i])
             answer.profile = {};
     });
-    const Scene last = build_scene(case_at_depth(input, result.bit_depth.back()));
-    result.node_s = last.mesh.node_s;
-    result.segment_s = last.mesh.segment_s;
+    const TrippedString last = string_at(input, result.bit_depth.back());
+    result.node_s = last.scene.mesh.node_s;
+    result.segment_s = last.scene.mesh.segment_s;
+    result.measured_depth = last.measured_depth;
     for (std::size_t m = 0; m < input.torque_drag.motions.size(); ++m) {
         TorqueDragCurve& curve = result.curves.emplace_back();
         curve.motion = input.torque_drag.motions[m];

@@ -11,11 +11,10 @@
 namespace drillstrand {
 
 /// How far compression has gone in a string that lies in a well.
-enum class BucklingState { none, sinusoidal, helical };
+enum class BucklingState { unknown = -1, none, sinusoidal, helical };
 
 /// The string at one depth of the bit: one value per segment, at its middle, head to bit.
 struct TorqueDragProfile {
-    std::vector<double> measured_depth;    ///< m
     std::vector<double> tension;           ///< axial force; compression negative (N)
     std::vector<double> torque;            ///< that the part above exerts on the part below (N m)
     std::vector<double> side_force;        ///< of the wall, normal (N/m)
@@ -36,7 +35,7 @@ struct TorqueDragFailure {
 };
 
 /// One motion: one value per depth of the bit. Where no equilibrium of the stiff string was found
-/// its values are NaN, and its buckling is none.
+/// its values are NaN, and its buckling is unknown.
 struct TorqueDragCurve {
     TorqueDragMotion motion = TorqueDragMotion::rotating;
     std::vector<double> hook_load;       ///< N
@@ -55,6 +54,7 @@ struct TorqueDrag {
     std::vector<double> bit_depth;  ///< measured, ascending (m)
     std::vector<double> node_s;     ///< N+1, mesh of the last depth: arc length from the head (m)
     std::vector<double> segment_s;  ///< N, middles of its segments (m)
+    std::vector<double> measured_depth;   ///< N, of these middles (m)
     std::vector<TorqueDragCurve> curves;  ///< in the order of the case's motions
 };
 

@@ -307,7 +307,6 @@ TEST_F(Program, AnErrorInTheCaseLeavesAnOlderResultAlone) {
 TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
     const std::vector<std::vector<std::string>> later = {
         {"equilibrium", "pipe.toml", "-o", "e.h5"},
-        {"torque-drag", "pipe.toml"},
         {"export", "out.h5", "--vtk"},
         {"study", "study.toml"},
         {"run", "pipe.toml", "--restart", "checkpoint.h5"}};
@@ -317,7 +316,7 @@ TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
         EXPECT_THAT(ending.err, is_one_error("not available in this version"));
     }
     const std::string help = run({"--help"}).out;
-    for (const char* word : {"equilibrium", "torque-drag", "report", "export", "study"})
+    for (const char* word : {"equilibrium", "report", "export", "study"})
         EXPECT_THAT(help, Not(HasSubstr(word)));
     EXPECT_THAT(run({"run", "--help"}).out, Not(HasSubstr("restart")));
 }

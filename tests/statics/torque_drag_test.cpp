@@ -172,8 +172,8 @@ TEST(TorqueDrag, ProfileAgreesWithHookLoadTorqueAndSectionOfThePipe) {
     EXPECT_NEAR(profile.torque.front(), drilling.surface_torque.front(), 1);
     // in the bend the pipe takes the curvature of the well: stress E R / 300 m
     const auto middle =
-        std::lower_bound(profile.measured_depth.begin(), profile.measured_depth.end(), 650) -
-        profile.measured_depth.begin();
+        std::lower_bound(study.measured_depth.begin(), study.measured_depth.end(), 650) -
+        study.measured_depth.begin();
     const auto k = static_cast<std::size_t>(middle);
     expect_close(profile.bending_stress[k], 200e9 * radius / 300, 0.05);
     const double area = std::numbers::pi / 4 * (0.14 * 0.14 - 0.12 * 0.12);

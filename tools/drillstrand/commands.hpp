@@ -50,6 +50,16 @@ struct BucklingOptions {
 
 int buckling(const BucklingOptions& options);
 
+struct TorqueDragCommand {
+    std::filesystem::path case_path;
+    std::filesystem::path output;         ///< HDF5; empty: no file
+    std::filesystem::path table;          ///< of all depths (CSV); empty: none
+    std::filesystem::path profile_table;  ///< along the string at the last depth; empty: none
+    Overrides overrides;
+};
+
+int torque_drag(const TorqueDragCommand& command);
+
 struct ReportOptions {
     std::filesystem::path result;
     std::filesystem::path output;    ///< empty: the result's stem + .html in the working directory

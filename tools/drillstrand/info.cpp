@@ -8,6 +8,7 @@
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/result_layout.hpp"
+#include "drillstrand/torque_drag_file.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -116,10 +117,31 @@ int buckling_info(const std::filesystem::path& path) {
     return done;
 }
 
+int torque_drag_info(const std::filesystem::path& path) {
+    const TorqueDragResult result = read_torque_drag(path);
+    const std::vector<double>& depths = result.study.bit_depth;
+    fmt::print("{}\n", path.string());
+    fmt::print("  title            {}\n", result.header.title);
+    fmt::print("  holds            torque and drag against the depth of the bit\n");
+    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
+    fmt::print("  bit depths       {}, from {:.6g} to {:.6g} m\n", depths.size(), depths.front(),
+               depths.back());
+    fmt::print("  segments         {} at the last depth\n", result.header.segment_s.size());
+    for (const TorqueDragCurve& curve : result.study.curves)
+        fmt::print(
+            "  /torque_drag/{:<14} hook load at the last depth {:.9g} N, torque {:.6g} N m\n",
+            motion_name(curve.motion), curve.hook_load.back(), curve.surface_torque.back());
+    for (const auto* table : {&torque_drag_depth_datasets(), &torque_drag_profile_datasets()})
+        for (const TorqueDragDataset& entry : *table)
+            fmt::print("  {:<24} {} ({})\n", entry.name, entry.description, entry.units);
+    return done;
+}
+
 }  // namespace
 
 int info(const std::filesystem::path& result_path) {
     if (holds_buckling(result_path)) return buckling_info(result_path);
+    if (holds_torque_drag(result_path)) return torque_drag_info(result_path);
     const Result result = read_result(result_path);
     print_origin(result_path, result);
     print_contents(result);

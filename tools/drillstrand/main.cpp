@@ -18,8 +18,7 @@ namespace drillstrand::program {
 namespace {
 
 /// Commands of the interface that later versions bring.
-constexpr std::array<std::string_view, 4> later_commands = {"equilibrium", "torque-drag", "export",
-                                                            "study"};
+constexpr std::array<std::string_view, 3> later_commands = {"equilibrium", "export", "study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -50,9 +49,10 @@ class CommandLine {
         add_run();
         add_check();
         add_buckling();
+        add_torque_drag();
         add_report();
         add_info();
-        for (CLI::App* command : {run_, check_, buckling_, report_, info_})
+        for (CLI::App* command : {run_, check_, buckling_, torque_drag_, report_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -69,6 +69,9 @@ class CommandLine {
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
+        if (torque_drag_->parsed())
+            return torque_drag({case_path_, output_, table_path_, profile_table_path_,
+                                parse_overrides(overrides_)});
         if (report_->parsed())
             return report({result_path_, output_, measured_path_, offset_, follow_});
         if (info_->parsed()) return info(result_path_);
@@ -114,6 +117,22 @@ class CommandLine {
         buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
+    }
+
+    void add_torque_drag() {
+        torque_drag_ = app_.add_subcommand(
+            "torque-drag", "Print hook load and surface torque against the depth of the bit");
+        torque_drag_->add_option("CASE.toml", case_path_, "The case with well and string")
+            ->required();
+        torque_drag_->add_option("-o,--output", output_, "File for all results; default: none")
+            ->type_name("OUT.h5");
+        torque_drag_->add_option("--csv", table_path_, "Table of all depths; default: none")
+            ->type_name("OUT.csv");
+        torque_drag_
+            ->add_option("--profile-csv", profile_table_path_,
+                         "Table along the string at the last depth; default: none")
+            ->type_name("OUT.csv");
+        add_overrides(*torque_drag_);
     }
 
     void add_report() {
@@ -181,7 +200,8 @@ class CommandLine {
         const bool is_command = argc > 1 && argv[1][0] != '-';
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
-                "unknown command '{}'; the commands are run, check, buckling, report and info",
+                "unknown command '{}'; the commands are run, check, buckling, torque-drag, report "
+                "and info",
                 argv[1]);
         return error.what();
     }
@@ -196,11 +216,14 @@ class CommandLine {
     CLI::App* run_ = nullptr;
     CLI::App* check_ = nullptr;
     CLI::App* buckling_ = nullptr;
+    CLI::App* torque_drag_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* info_ = nullptr;
     std::string case_path_;
     std::string result_path_;
     std::string output_;
+    std::string table_path_;
+    std::string profile_table_path_;
     std::string measured_path_;
     std::string offset_;
     std::string restart_;

@@ -1,0 +1,135 @@
+#include "drillstrand/torque_drag_file.hpp"
+
+#include <array>
+
+#include "results/hdf5.hpp"
+#include "results/new_file.hpp"
+#include "results/reading.hpp"
+
+namespace drillstrand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string group_name = "/torque_drag";
+
+constexpr std::array motions{TorqueDragMotion::tripping_in, TorqueDragMotion::tripping_out,
+                             TorqueDragMotion::rotating, TorqueDragMotion::drilling,
+                             TorqueDragMotion::sliding};
+
+std::string group_of(TorqueDragMotion motion) {
+    return group_name + "/" + motion_name(motion);
+}
+
+std::string profile_group_of(TorqueDragMotion motion) {
+    return group_of(motion) + "/profile";
+}
+
+void write_values(H5::H5File& file, const std::string& path, bool integer, const std::string& units,
+                  const std::string& description, const std::vector<double>& values) {
+    const hsize_t size = values.size();
+    hdf5::create_dataset(file, path, integer, H5::DataSpace(1, &size),
+                         H5::DSetCreatPropList::DEFAULT, units, description)
+        .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+}
+
+void write_table(H5::H5File& file, const std::string& group,
+                 const std::vector<TorqueDragDataset>& table, const TorqueDragCurve& curve) {
+    H5::Group created = file.createGroup(group);
+    for (const TorqueDragDataset& entry : table)
+        write_values(file, group + "/" + entry.name, entry.integer, entry.units, entry.description,
+                     entry.values(curve));
+}
+
+void write_curve(H5::H5File& file, const TorqueDragCurve& curve) {
+    write_table(file, group_of(curve.motion), torque_drag_depth_datasets(), curve);
+    write_table(file, profile_group_of(curve.motion), torque_drag_profile_datasets(), curve);
+    H5::Group group = file.openGroup(group_of(curve.motion));
+    hdf5::write_attribute(group, "not_found", static_cast<std::int64_t>(curve.failures.size()));
+}
+
+void write_file(const fs::path& path, const TorqueDragResult& result) {
+    H5::H5File file(path, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, hdf5::file_access());
+    H5::Group root = file.openGroup("/");
+    hdf5::write_origin(root, result.header);
+    file.createGroup(group_name);
+    file.createGroup(group_name + "/mesh");
+    hdf5::write_mesh(file, group_name, result.header);
+    write_values(file, group_name + "/bit_depth", false, "m", "measured depth of the bit",
+                 result.study.bit_depth);
+    write_values(file, group_name + "/measured_depth", false, "m",
+                 "measured depth of the middles of the segments with the bit at its last depth",
+                 result.study.measured_depth);
+    for (const TorqueDragCurve& curve : result.study.curves)
+        write_curve(file, curve);
+    hdf5::write_attribute(root, "status", std::string("complete"));
+    root.close();
+    file.close();
+}
+
+/// Bytes of the arrays.
+std::size_t array_bytes(const TorqueDragResult& result) {
+    const std::size_t depths = torque_drag_depth_datasets().size() * result.study.bit_depth.size();
+    const std::size_t segments =
+        torque_drag_profile_datasets().size() * result.study.measured_depth.size();
+    const std::size_t common =
+        result.study.bit_depth.size() + 3 * result.study.measured_depth.size();
+    return (common + result.study.curves.size() * (depths + segments)) * sizeof(double);
+}
+
+void read_table(const H5::H5File& file, const std::string& group,
+                const std::vector<TorqueDragDataset>& table, TorqueDragCurve& curve) {
+    for (const TorqueDragDataset& entry : table)
+        entry.assign(curve, hdf5::read_values(file, group + "/" + entry.name));
+}
+
+TorqueDragCurve read_curve(const H5::H5File& file, TorqueDragMotion motion) {
+    TorqueDragCurve curve;
+    curve.motion = motion;
+    read_table(file, group_of(motion), torque_drag_depth_datasets(), curve);
+    read_table(file, profile_group_of(motion), torque_drag_profile_datasets(), curve);
+    return curve;
+}
+
+}  // namespace
+
+void write_torque_drag(const fs::path& path, const TorqueDragResult& result) {
+    NewFile fresh(fs::weakly_canonical(path), path);
+    require_space(fresh.path(), path,
+                  array_bytes(result) + result.header.case_text.size() + metadata_bytes);
+    hdf5::attempt(path, "write", [&] { write_file(fresh.path(), result); });
+    fresh.take_name();
+}
+
+bool holds_torque_drag(const fs::path& path) {
+    hdf5::require_result_file(path);
+    return hdf5::attempt(path, "read", [&] {
+        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
+                              hdf5::file_access());
+        return file.nameExists(group_name);
+    });
+}
+
+TorqueDragResult read_torque_drag(const fs::path& path) {
+    hdf5::require_result_file(path);
+    return hdf5::attempt(path, "read", [&] {
+        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
+                              hdf5::file_access());
+        TorqueDragResult result;
+        const H5::Group root = file.openGroup("/");
+        hdf5::read_attribute(root, "title", result.header.title);
+        hdf5::read_attribute(root, "case", result.header.case_text);
+        hdf5::read_attribute(root, "version", result.version);
+        hdf5::read_attribute(root, "commit", result.commit);
+        hdf5::read_mesh(file, group_name, result.header);
+        result.study.bit_depth = hdf5::read_values(file, group_name + "/bit_depth");
+        result.study.measured_depth = hdf5::read_values(file, group_name + "/measured_depth");
+        for (const TorqueDragMotion motion : motions)
+            if (file.nameExists(group_of(motion)))
+                result.study.curves.push_back(read_curve(file, motion));
+        return result;
+    });
+}
+
+}  // namespace drillstrand

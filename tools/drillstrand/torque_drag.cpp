@@ -1,0 +1,223 @@
+/// drillstrand torque-drag: hook load and surface torque against the depth of the bit.
+#include "drillstrand/torque_drag.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "commands.hpp"
+#include "drillstrand/case.hpp"
+#include "drillstrand/torque_drag_file.hpp"
+#include "output.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+template <class... Parts>
+void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... parts) {
+    fmt::print("  {:<9} {}\n", name, fmt::format(text, std::forward<Parts>(parts)...));
+}
+
+/// The word for a motion as people write it.
+std::string motion_words(TorqueDragMotion motion) {
+    std::string words = motion_name(motion);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+std::string number(double value, double unit, int decimals) {
+    if (!std::isfinite(value)) return "-";
+    // no minus before a zero
+    const double shown = std::abs(value / unit) < 0.5 * std::pow(10, -decimals) ? 0 : value / unit;
+    return fmt::format("{:.{}f}", shown, decimals);
+}
+
+std::string mark(BucklingState state) {
+    if (state == BucklingState::sinusoidal) return "s";
+    return state == BucklingState::helical ? "h" : " ";
+}
+
+void print_case(const Case& input, const TorqueDrag& study) {
+    fmt::print("{}: {}\n", input.path.string(), input.title);
+    line("string", "cut or lengthened at its top; {} segments of {:.4g} m at the last depth",
+         study.segment_s.size(), study.node_s.back() / static_cast<double>(study.segment_s.size()));
+    const FrictionCoefficients friction =
+        input.torque_drag.friction.value_or(input.contact.dynamic_friction);
+    line("friction", "{:.4g} along the well, {:.4g} around it", friction.axial, friction.azimuthal);
+    line("bit", "{:.6g} kN of weight where it drills or slides",
+         input.bit.weight.values().back() / 1e3);
+    fmt::print("\n");
+}
+
+/// A quantity of every curve against the depth of the bit, that of the soft string beside it.
+struct Quantity {
+    std::string_view name;
+    std::string_view unit_name;
+    double unit;
+    int decimals;
+    bool marked;  ///< with the state of buckling
+    std::vector<double> TorqueDragCurve::*stiff;
+    std::vector<double> TorqueDragCurve::*soft;
+};
+
+constexpr Quantity hook_load{
+    "hook load", "kN", 1e3, 2, true, &TorqueDragCurve::hook_load, &TorqueDragCurve::soft_hook_load};
+constexpr Quantity surface_torque{"surface torque",
+                                  "kN m",
+                                  1e3,
+                                  3,
+                                  false,
+                                  &TorqueDragCurve::surface_torque,
+                                  &TorqueDragCurve::soft_surface_torque};
+
+void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurve*>& curves,
+                 const Quantity& quantity) {
+    fmt::print("  {} ({})\n  {:>13}", quantity.name, quantity.unit_name, "");
+    for (const TorqueDragCurve* curve : curves)
+        fmt::print("  {:^21}", motion_words(curve->motion));
+    fmt::print("\n  {:>13}", "bit depth (m)");
+    for (std::size_t k = 0; k < curves.size(); ++k)
+        fmt::print("  {:>9}   {:>9}", "stiff", "soft");
+    fmt::print("\n");
+    for (std::size_t i = 0; i < study.bit_depth.size(); ++i) {
+        fmt::print("  {:>13.2f}", study.bit_depth[i]);
+        for (const TorqueDragCurve* curve : curves)
+            fmt::print("  {:>9} {} {:>9}",
+                       number((curve->*quantity.stiff)[i], quantity.unit, quantity.decimals),
+                       quantity.marked ? mark(curve->buckling[i]) : " ",
+                       number((curve->*quantity.soft)[i], quantity.unit, quantity.decimals));
+        fmt::print("\n");
+    }
+    fmt::print("\n");
+}
+
+std::vector<const TorqueDragCurve*> all_of(const TorqueDrag& study) {
+    std::vector<const TorqueDragCurve*> curves;
+    for (const TorqueDragCurve& curve : study.curves)
+        curves.push_back(&curve);
+    return curves;
+}
+
+/// The motions with a torque.
+std::vector<const TorqueDragCurve*> turning_of(const TorqueDrag& study) {
+    std::vector<const TorqueDragCurve*> curves = all_of(study);
+    std::erase_if(curves, [](const TorqueDragCurve* curve) {
+        return curve->motion != TorqueDragMotion::rotating &&
+               curve->motion != TorqueDragMotion::drilling;
+    });
+    return curves;
+}
+
+bool is_buckled(BucklingState state) {
+    return state == BucklingState::sinusoidal || state == BucklingState::helical;
+}
+
+void print_legend(const TorqueDrag& study) {
+    const bool buckled =
+        std::any_of(study.curves.begin(), study.curves.end(), [](const TorqueDragCurve& curve) {
+            return std::any_of(curve.buckling.begin(), curve.buckling.end(), is_buckled);
+        });
+    if (buckled)
+        fmt::print("  s, h: somewhere compression is past the sinusoidal, the helical limit\n\n");
+}
+
+std::string largest_text(const std::vector<double>& values, const std::vector<double>& depths,
+                         double unit, int decimals) {
+    const auto largest = std::max_element(values.begin(), values.end());
+    if (!std::isfinite(*largest)) return fmt::format("{:>9} {:>9}", "-", "-");
+    const double depth = depths[static_cast<std::size_t>(largest - values.begin())];
+    return fmt::format("{:>9} {:>9.1f}", number(*largest, unit, decimals), depth);
+}
+
+/// How much of the string is past each limit.
+std::string buckling_text(const TorqueDrag& study, const TorqueDragProfile& profile) {
+    if (profile.buckling.front() == BucklingState::unknown) return "-";
+    const double segment = study.node_s.back() / static_cast<double>(study.segment_s.size());
+    std::array<double, 3> length{};
+    for (const BucklingState state : profile.buckling)
+        length[static_cast<std::size_t>(state)] += segment;
+    std::string text;
+    if (length[1] > 0) text = fmt::format("sinusoidal over {:.4g} m", length[1]);
+    if (length[2] > 0)
+        text += fmt::format("{}helical over {:.4g} m", text.empty() ? "" : ", ", length[2]);
+    return text.empty() ? "none" : text;
+}
+
+void print_last_depth(const TorqueDrag& study) {
+    fmt::print(
+        "  with the bit at {:.2f} m: where tension ends, going down; the largest values and "
+        "their measured depths; compression past its limits\n",
+        study.bit_depth.back());
+    fmt::print("  {:<13}  {:>11}  {:>19}  {:>19}  {:>19}  {}\n", "", "neutral", "side force",
+               "bending stress", "von Mises stress", "");
+    fmt::print("  {:<13}  {:>11}", "", "point (m)");
+    for (const std::string_view unit : {"(kN/m)", "(MPa)", "(MPa)"})
+        fmt::print("  {:>9} {:>9}", unit, "at (m)");
+    fmt::print("  {}\n", "buckling");
+    for (const TorqueDragCurve& curve : study.curves) {
+        const TorqueDragProfile& profile = curve.profile;
+        fmt::print("  {:<13}  {:>11}", motion_words(curve.motion),
+                   number(curve.neutral_point.back(), 1, 2));
+        fmt::print("  {}", largest_text(profile.side_force, study.measured_depth, 1e3, 3));
+        fmt::print("  {}", largest_text(profile.bending_stress, study.measured_depth, 1e6, 1));
+        fmt::print("  {}", largest_text(profile.von_mises_stress, study.measured_depth, 1e6, 1));
+        fmt::print("  {}\n", buckling_text(study, profile));
+    }
+}
+
+void print_failures(const TorqueDrag& study) {
+    for (const TorqueDragCurve& curve : study.curves) {
+        if (curve.failures.empty()) continue;
+        const TorqueDragFailure& first = curve.failures.front();
+        fmt::print(stderr,
+                   "drillstrand: warning: {}: no equilibrium of the stiff string at {} of {} "
+                   "depths, - above and NaN in files; the first, at {:.6g} m: {}\n",
+                   motion_words(curve.motion), curve.failures.size(), study.bit_depth.size(),
+                   first.bit_depth, first.reason);
+    }
+}
+
+bool found_something(const TorqueDrag& study) {
+    return std::any_of(study.curves.begin(), study.curves.end(), [&](const TorqueDragCurve& curve) {
+        return curve.failures.size() < study.bit_depth.size();
+    });
+}
+
+void write_files(const TorqueDragCommand& command, const Case& input, const TorqueDrag& study) {
+    if (!command.table.empty()) write_torque_drag_table(command.table, study);
+    if (!command.profile_table.empty())
+        write_torque_drag_profile_table(command.profile_table, study);
+    if (command.output.empty()) return;
+    TorqueDragResult result;
+    result.header.title = input.title;
+    result.header.case_text = input.text;
+    result.header.node_s = study.node_s;
+    result.header.segment_s = study.segment_s;
+    result.study = study;
+    write_torque_drag(command.output, result);
+}
+
+}  // namespace
+
+int torque_drag(const TorqueDragCommand& command) {
+    for (const auto& path : {command.output, command.table, command.profile_table})
+        static_cast<void>(checked_output(path, command.case_path));
+    const Case input = read_case(command.case_path, command.overrides);
+    const TorqueDrag study = compute_torque_drag(input, input.run.threads);
+    write_files(command, input, study);
+    print_case(input, study);
+    print_table(study, all_of(study), hook_load);
+    if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque);
+    print_legend(study);
+    print_last_depth(study);
+    print_failures(study);
+    return found_something(study) ? done : simulation_failed;
+}
+
+}  // namespace drillstrand::program
