@@ -164,7 +164,7 @@ TEST(WeightlessString, WindsToAHelixOfLubinskisPitchAndWallForce) {
     input.contact.normal_stiffness = 1e8;
     input.bit.contact_length = 0.3;
     input.initial.curvature = {1e-6, 1e-6, 0};
-    input.run.duration = 25;
+    input.run.duration = 20;
     const test::Run result = run(input);
     ASSERT_LT(result.last().energy.kinetic, 1e-3);
 
