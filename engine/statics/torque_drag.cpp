@@ -1,5 +1,6 @@
 #include "drillstrand/torque_drag.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "drillstrand/equilibrium.hpp"
 #include "drillstrand/error.hpp"
+#include "model/survey.hpp"
 #include "statics/arc_section.hpp"
 #include "statics/buckling_limits.hpp"
 #include "statics/tripped_string.hpp"
@@ -48,12 +50,22 @@ struct Answer {
     std::optional<std::string> failure;
 };
 
+void check_fit(const Case& input, const Component& pipe, const WellArc& arc, double depth) {
+    if (pipe.outer_diameter < 2 * arc.radius) return;
+    throw InputError({input.path.string()},
+                     fmt::format("a pipe of {:.9g} m comes to a measured depth of {:.9g} m, where "
+                                 "the hole has {:.9g} m; give torque_drag.depths at which the "
+                                 "string fits",
+                                 pipe.outer_diameter, depth, 2 * arc.radius));
+}
+
 Site site_at(const Case& input, const Scene& scene, double s) {
     const Component& pipe = component_at(input.string, s);
     const SectionProperties section = section_properties(pipe, input.string.shear_coefficient);
     const Well& well = *scene.well;
     const double depth = well.measured_depth_start() + s;
     const WellArc& arc = well.arcs()[well.arc_at(depth)];
+    check_fit(input, pipe, arc, depth);
     const ArcSection axis = arc_section(arc, depth);
     const double second_moment =
         std::numbers::pi / 64 *
@@ -259,6 +271,12 @@ void check(const Case& input) {
         throw InputError(where,
                          "head.position is not the start of the well, from where torque and drag "
                          "hang the string; leave it out");
+    const Eigen::Vector3d down_hole = station_tangent(input.well->survey.front());
+    constexpr double rounding = 1e-6;
+    if (input.head.direction && (*input.head.direction - down_hole).norm() > rounding)
+        throw InputError(where,
+                         "head.direction is not that of the well at its start, along which torque "
+                         "and drag hang the string; leave it out");
 }
 
 /// Calls `action` with every number below `count`, in parallel; the error of the least number,

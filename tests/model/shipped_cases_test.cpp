@@ -45,7 +45,8 @@ TEST_P(ShippedCase, HasAWellLongerAndWiderThanItsString) {
 INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase,
                          testing::Values("vertical_20kN", "vertical_50kN", "vertical_100kN",
                                          "horizontal_350kN", "horizontal_500kN", "horizontal_1MN",
-                                         "well1", "well2", "well2_drilling", "well3"),
+                                         "well1", "well2", "well2_drilling", "well3",
+                                         "torque_drag"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(ShippedCases, HaveThePaperLengthsAndMeshes) {

@@ -247,11 +247,21 @@ std::string refusal(const Case& input) {
     return "";
 }
 
+TEST(TorqueDrag, RefusesAStringThatDoesNotFitOnItsWayDown) {
+    Case input = case_in(vertical(1200), 0.2);
+    input.well->sections = {{100, 0.13}, {1200, 0.22}};
+    EXPECT_THAT(refusal(input), testing::HasSubstr("a pipe of 0.14 m comes to"));
+}
+
 TEST(TorqueDrag, NeedsAWellAndAHeadAtItsStart) {
     Case input = case_in(vertical(1200), 0.2);
     input.head.position = Eigen::Vector3d(0, 0, 5);
     EXPECT_THAT(refusal(input), testing::HasSubstr("leave it out"));
     input.head.position.reset();
+    input.head.direction = Eigen::Vector3d::UnitX();
+    EXPECT_THAT(refusal(input), testing::HasSubstr("head.direction is not that of the well"));
+    input.head.direction = Eigen::Vector3d::UnitZ();
+    EXPECT_EQ(refusal(input), "");
     input.head.motion = HeadMotion::free;
     EXPECT_THAT(refusal(input), testing::HasSubstr("\"driven\""));
     input.well.reset();
