@@ -70,8 +70,12 @@ class TorqueDragProgram : public testing::Test {
 
     /// Runs drillstrand torque-drag with these arguments in the folder.
     [[nodiscard]] Ending run(const std::string& arguments) const {
-        const std::string command = "cd " + folder_.string() + " && " + DRILLSTRAND_PROGRAM +
-                                    " torque-drag " + arguments + " 2>&1";
+        return call("torque-drag " + arguments);
+    }
+
+    [[nodiscard]] Ending call(const std::string& arguments) const {
+        const std::string command =
+            "cd " + folder_.string() + " && " + DRILLSTRAND_PROGRAM + " " + arguments + " 2>&1";
         FILE* stream = ::popen(command.c_str(), "r");
         Ending ending;
         for (int c = std::fgetc(stream); c != EOF; c = std::fgetc(stream))
@@ -106,6 +110,24 @@ TEST_F(TorqueDragProgram, PrintsTablesAndWritesFiles) {
     EXPECT_EQ(result.study.measured_depth.size(), 45U);
     EXPECT_TRUE(fs::exists(path("out.csv")));
     EXPECT_TRUE(fs::exists(path("profile.csv")));
+    const Ending info = call("info out.h5");
+    EXPECT_EQ(info.code, 0);
+    EXPECT_THAT(info.text, AllOf(HasSubstr("torque and drag against the depth of the bit"),
+                                 HasSubstr("3, from 500 to 900 m")));
+}
+
+TEST_F(TorqueDragProgram, DepthWithoutEquilibriumIsADashAndAWarning) {
+    // turned while it is wound up in a vertical hole
+    const Ending ending =
+        run("case.toml --csv out.csv --set bit.weight='\"60 kN\"' --set 'torque_drag.depths=[250, "
+            "900]' "
+            "--set 'torque_drag.motions=[\"rotating\", \"drilling\"]'");
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_THAT(ending.text,
+                HasSubstr("drillstrand: warning: drilling: no equilibrium of the stiff "
+                          "string at 1 of 2 depths"));
+    EXPECT_THAT(ending.text, testing::ContainsRegex("\n +250\\.00 .* - "));
+    EXPECT_THAT(ending.text, testing::Not(HasSubstr("nan")));
 }
 
 TEST_F(TorqueDragProgram, TakesOverrides) {
