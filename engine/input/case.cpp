@@ -16,8 +16,17 @@ void refuse_unfinished(const Case& input, const toml::table& root) {
         const Value value(*root.at_path(path).node(), std::string(path));
         value.fail(fmt::format("asks for what is not available yet; expected {}", expected));
     };
-    refuse(input.initial.state == InitialState::equilibrium, "initial.state", "\"coaxial\"");
     refuse(input.fluid && input.fluid->added_mass, "fluid.added_mass", "false");
+}
+
+/// Throws InputError where a run cannot start from equilibrium.
+void check_initial_equilibrium(const Case& input, const toml::table& root) {
+    if (input.initial.state != InitialState::equilibrium) return;
+    const Value value(*root.at_path("initial.state").node(), "initial.state");
+    if (input.head.motion == HeadMotion::free)
+        value.fail("needs a head that holds the string; expected head.motion = \"driven\"");
+    if (input.run.integrator != IntegratorKind::leapfrog)
+        value.fail("is that of the leapfrog's rod; expected run.integrator = \"leapfrog\"");
 }
 
 std::string read_title(const Table& root, const std::filesystem::path& path) {
@@ -32,7 +41,8 @@ Case read_case(const std::filesystem::path& path,
     CaseDocument document = load_case_document(path, overrides);
     const Table root(document.root, "",
                      {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit",
-                      "contact", "damping", "initial", "torque_drag", "run", "output"});
+                      "contact", "damping", "initial", "equilibrium", "torque_drag", "run",
+                      "output"});
     const std::filesystem::path folder = path.parent_path();
 
     Case result;
@@ -51,9 +61,11 @@ Case read_case(const std::filesystem::path& path,
     result.contact = read_contact(root);
     result.damping = read_damping(root);
     result.initial = read_initial(root);
+    result.equilibrium = read_equilibrium(root);
     if (result.well) check_fit(*result.well, string, result.head);
     result.torque_drag = read_torque_drag(root, result.well, string);
     refuse_unfinished(result, document.root);
+    check_initial_equilibrium(result, document.root);
     result.path = path;
     result.text = std::move(document.text);
     return result;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "input/case_sections.hpp"
 
 namespace drillstrand {
@@ -26,6 +28,56 @@ InitialCase read_initial(const Table& root) {
     initial.curvature = table.vector("curvature", dimension::curvature);
     initial.offset = table.vector("offset", dimension::length);
     return initial;
+}
+
+namespace {
+
+/// Rates that do not go with the motion, or are missing beside it, are refused.
+void check_rates(const Table& table, const EquilibriumCase& equilibrium) {
+    const StringMotion motion = equilibrium.motion;
+    const auto refuse = [&](std::string_view key, std::string_view motions) {
+        if (const std::optional<Value> value = table.find(key))
+            value->fail(fmt::format("has no effect; expected it with motion = {}", motions));
+    };
+    if (motion == StringMotion::rest)
+        refuse("axial_speed", R"("rotating", "sliding", "tripping_in" or "tripping_out")");
+    if (motion == StringMotion::rest || motion == StringMotion::sliding)
+        refuse("rotation", R"("rotating", "tripping_in" or "tripping_out")");
+    if (motion == StringMotion::rotating && equilibrium.rotation == 0.0)
+        table.find("rotation")->fail("is 0; expected a rate, or another motion");
+    const bool trips = motion == StringMotion::tripping_in || motion == StringMotion::tripping_out;
+    if (trips && equilibrium.rotation && !equilibrium.axial_speed) {
+        table.find("rotation")->fail("needs its speed too; expected equilibrium.axial_speed");
+    }
+    if (!equilibrium.axial_speed) return;
+    const double speed = *equilibrium.axial_speed;
+    const Value value = *table.find("axial_speed");
+    const bool into_the_hole =
+        trips ? motion == StringMotion::tripping_in : motion == StringMotion::sliding;
+    if (into_the_hole && speed <= 0)
+        value.fail("does not go into the hole; expected more than 0 m/s");
+    if (motion == StringMotion::tripping_out && speed >= 0)
+        value.fail("does not go out of the hole; expected less than 0 m/s");
+}
+
+}  // namespace
+
+EquilibriumCase read_equilibrium(const Table& root) {
+    constexpr Dimension speed{0, 1, -1};
+    const Table table = root.subtable("equilibrium", {"motion", "axial_speed", "rotation"});
+    EquilibriumCase equilibrium;
+    equilibrium.motion = table.choice<StringMotion>("motion", equilibrium.motion,
+                                                    {{"rest", StringMotion::rest},
+                                                     {"rotating", StringMotion::rotating},
+                                                     {"tripping_in", StringMotion::tripping_in},
+                                                     {"tripping_out", StringMotion::tripping_out},
+                                                     {"sliding", StringMotion::sliding}});
+    if (const std::optional<Value> value = table.find("axial_speed"))
+        equilibrium.axial_speed = value->quantity(speed);
+    if (const std::optional<Value> value = table.find("rotation"))
+        equilibrium.rotation = value->quantity(dimension::frequency);
+    check_rates(table, equilibrium);
+    return equilibrium;
 }
 
 RunCase read_run(const Table& root) {

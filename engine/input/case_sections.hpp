@@ -30,6 +30,7 @@ BitCase read_bit(const Table& root, const StringCase& string);
 ContactCase read_contact(const Table& root);
 DampingCase read_damping(const Table& root);
 InitialCase read_initial(const Table& root);
+EquilibriumCase read_equilibrium(const Table& root);
 RunCase read_run(const Table& root);
 OutputCase read_output(const Table& root);
 /// Needs the well and the string, whose place at each depth is checked.

@@ -166,7 +166,8 @@ std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state
 }
 
 bool lies_along_well(const Scene& scene, const InitialCase& initial) {
-    return scene.well && initial.state == InitialState::coaxial;
+    // the search for equilibrium starts from there too
+    return scene.well && initial.state != InitialState::stress_free;
 }
 
 }  // namespace

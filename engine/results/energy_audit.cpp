@@ -1,6 +1,7 @@
 #include "drillstrand/energy_audit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drillstrand {
 
@@ -30,7 +31,11 @@ double EnergyAudit::moved() const {
 }
 
 double EnergyAudit::residual() const {
-    return moved() == 0 ? 0 : appeared() / moved();
+    constexpr double rounding = 1e-10;
+    double largest = 0;
+    for (const Range& range : ranges_)
+        largest = std::max({largest, std::abs(range.least), std::abs(range.most)});
+    return moved() <= rounding * largest ? 0 : appeared() / moved();
 }
 
 }  // namespace drillstrand

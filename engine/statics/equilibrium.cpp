@@ -30,6 +30,11 @@ void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) 
     result.series.energy.potential = potential;
 }
 
+void check_head(const Scene& scene) {
+    if (scene.head.motion == HeadMotion::free)
+        throw std::invalid_argument("find_equilibrium: the head is free");
+}
+
 }  // namespace
 
 SteadyMotion steady_motion(StringMotion motion, double rotation_rate) {
@@ -64,8 +69,7 @@ EquilibriumOptions equilibrium_options(const Case& input) {
 }
 
 Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& options) {
-    if (scene.head.motion == HeadMotion::free)
-        throw std::invalid_argument("find_equilibrium: the head is free");
+    check_head(scene);
     EquilibriumSearch search(scene, options);
     search.run();
 
@@ -84,6 +88,13 @@ Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& optio
     result.stable = search.is_stable();
     result.warnings = search.warnings();
     return result;
+}
+
+InitialNodes equilibrium_nodes(const Scene& scene, const EquilibriumOptions& options) {
+    check_head(scene);
+    EquilibriumSearch search(scene, options);
+    search.run();
+    return search.state().nodes();
 }
 
 }  // namespace drillstrand

@@ -33,6 +33,18 @@ double loose_work(const Imbalance& before, const Imbalance& after, const NodeMot
 
 }  // namespace
 
+/// How many times stiffer the bed has to be after a step that was not taken.
+double Newton::harder(const Downhill& step) {
+    switch (step.verdict) {
+        case Verdict::too_far:
+            return std::min(step.far, 10.0);
+        case Verdict::not_firm:
+            return 8;
+        default:
+            return 4;
+    }
+}
+
 Newton::Newton(const Scene& scene, Balance& balance, int budget)
     : scene_(scene),
       balance_(balance),
@@ -40,120 +52,136 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
       rule_(scene.well ? StepRule::nodes : StepRule::strains),
       stiffness_(scene.mesh.length.size()) {
     const std::size_t segments = scene.mesh.length.size();
-    const double whole = scene.mesh.node_s.back();
     std::size_t arc = 0;
     for (std::size_t node = 1; node <= segments; ++node) {
-        const double cell = scene.mesh.cell[node];
+        const double h = scene.mesh.length[node - 1];
         if (!scene.well) {
             const double bending = scene.mesh.segment[node - 1].bending_stiffness;
-            bed_.emplace_back(cell * bending / std::pow(whole, 4) * Matrix3d::Identity());
-            across_.emplace_back(Matrix3d::Zero());
-            span_.push_back(scene.mesh.length[node - 1]);
-            continue;
+            across_.emplace_back(Matrix3d::Identity());
+            firmness_.push_back(scene.mesh.cell[node] * bending /
+                                std::pow(scene.mesh.node_s.back(), 4));
+            span_.push_back(h);
+        } else {
+            const Vector3d& x = scene.initial_nodes.position[node];
+            arc = scene.well->find_arc(x, arc);
+            const WellCrossSection section = scene.well->project(x, arc);
+            const double clearance = section.radius - scene.mesh.node[node].outer_radius;
+            across_.emplace_back(Matrix3d::Identity() -
+                                 section.direction * section.direction.transpose());
+            firmness_.push_back(scene.mesh.cell[node] *
+                                std::max(std::abs(scene.weight[node]) / clearance,
+                                         1e-4 * scene.normal_stiffness[node]));
+            span_.push_back(clearance);
         }
-        const Vector3d& x = scene.initial_nodes.position[node];
-        arc = scene.well->find_arc(x, arc);
-        const WellCrossSection section = scene.well->project(x, arc);
-        const double clearance = section.radius - scene.mesh.node[node].outer_radius;
-        const double firmness =
-            std::max(std::abs(scene.weight[node]) / clearance, 1e-4 * scene.normal_stiffness[node]);
-        across_.emplace_back(Matrix3d::Identity() -
-                             section.direction * section.direction.transpose());
-        bed_.emplace_back(cell * firmness * across_.back());
-        span_.push_back(clearance);
+        turning_.push_back(h * h / 12);
     }
+}
+
+/// One step on the bed, judged by the energy; the stiffness is that of `state`.
+Newton::Downhill Newton::downhill(const RodState& state, const Imbalance& now, double bed) const {
+    constexpr double too_far = 4;
+    Downhill step;
+    const BlockFactors factors = factors_on_bed(bed);
+    if (!factors.is_positive_definite()) return step;
+    const NodeMotion motion = factors.solve(now.force);
+    step.far = reach(motion);
+    step.verdict = Verdict::too_far;
+    if (!std::isfinite(step.far) || (scene_.well && step.far > too_far)) return step;
+
+    const double scale = std::min(1.0, 1 / step.far);
+    const Work done = work(now.force, motion, bed);
+    const double predicted = scale * done.force - 0.5 * scale * scale * (done.force - done.bed);
+    step.state = stepped(state, motion, scale);
+    step.imbalance = balance_.imbalance(*step.state);
+    const double gain =
+        now.energy - step.imbalance.energy + loose_work(now, step.imbalance, motion, scale);
+    const bool in_rounding = predicted < rounding * now.energy_sum;
+    step.verdict = in_rounding || gain > 0.1 * predicted ? Verdict::taken : Verdict::uphill;
+    step.is_small = scale == 1 && size(motion) < settled;
+    step.is_as_predicted = scale == 1 && (in_rounding || gain > 0.5 * predicted);
+    return step;
 }
 
 SearchOutcome Newton::descend(RodState& state, double bed) {
     Imbalance now = balance_.imbalance(state);
     balance_.stiffness(state, stiffness_);
-    bool firm_alone = true;  // as far as is known at this state
-    while (!is_spent()) {
+    bool firm_alone = true;  // without the bed, as far as is known at this state
+    while (!is_spent() && bed < most_bed) {
         ++iterations_;
-        const BlockFactors factors = factors_on_bed(bed);
-        if (!factors.is_positive_definite()) {
-            if (bed == 0) firm_alone = false;
-            bed = std::max(8 * bed, least_bed);
-            if (bed > most_bed) return SearchOutcome::failed;
+        Downhill step = downhill(state, now, bed);
+        if (step.verdict != Verdict::taken) {
+            if (step.verdict == Verdict::not_firm && bed == 0) firm_alone = false;
+            bed = bed > 0 ? bed * harder(step) : least_bed;
             continue;
         }
-        const NodeMotion motion = factors.solve(now.force);
-        const double far = reach(motion);
-        if (!std::isfinite(far)) return SearchOutcome::failed;
-        constexpr double too_far = 4;
-        if (scene_.well && far > too_far && bed < most_bed) {
-            bed = std::max(bed, least_bed) * std::min(far, 10.0);
-            continue;
-        }
-        const double scale = std::min(1.0, 1 / far);
-        const Work done = work(now.force, motion, bed);
-        const double predicted = scale * done.force - 0.5 * scale * scale * (done.force - done.bed);
-        RodState trial = stepped(state, motion, scale);
-        Imbalance then = balance_.imbalance(trial);
-        const double gain = now.energy - then.energy + loose_work(now, then, motion, scale);
-        const bool in_rounding = predicted < rounding * now.energy_sum;
-        if (!in_rounding && !(gain > 0.1 * predicted)) {
-            bed = std::max(4 * bed, least_bed);
-            if (bed > most_bed) return SearchOutcome::failed;
-            continue;
-        }
-        const bool small = scale == 1 && size(motion) < settled;
-        if (small && bed > 0 && !firm_alone) return SearchOutcome::saddle;
-        state = std::move(trial);
-        now = std::move(then);
+        if (step.is_small && bed > 0 && !firm_alone) return SearchOutcome::saddle;
+        state = std::move(*step.state);
+        now = std::move(step.imbalance);
         balance_.stiffness(state, stiffness_);
         firm_alone = true;
-        if (small && bed == 0) {
-            // the last correction, to rounding
+        if (step.is_small && bed == 0) {
             ++iterations_;
-            state = stepped(state, factors_on_bed(0).solve(now.force), 1);
+            state = stepped(state, BlockFactors(stiffness_).solve(now.force), 1);
             return SearchOutcome::converged;
         }
-        if (small || (scale == 1 && (in_rounding || gain > 0.5 * predicted)))
-            bed = small || bed < 10 * least_bed ? 0 : 0.1 * bed;
+        if (step.is_small || (step.is_as_predicted && bed < 10 * least_bed))
+            bed = 0;
+        else if (step.is_as_predicted)
+            bed *= 0.1;
     }
     return SearchOutcome::failed;
 }
 
+/// A Newton step cut until the next correction by the same factors is shorter; none where it never
+/// is, or where there is no step.
+std::optional<Newton::Correction> Newton::corrected(const RodState& state, const Imbalance& now) {
+    constexpr double least_scale = 1.0 / 256;
+    const BlockFactors factors = this->factors(state);
+    const NodeMotion motion = factors.solve(now.force);
+    const double far = reach(motion);
+    if (!std::isfinite(far)) return std::nullopt;
+    const double full = size(motion);
+    for (double scale = std::min(1.0, 1 / far); scale >= least_scale; scale *= 0.5) {
+        RodState trial = stepped(state, motion, scale);
+        Imbalance then = balance_.imbalance(trial);
+        const bool is_shorter = size(factors.solve(then.force)) <= (1 - 0.25 * scale) * full;
+        if (is_shorter || full <= settled)
+            return Correction{std::move(trial), std::move(then), full <= settled};
+    }
+    return std::nullopt;
+}
+
 SearchOutcome Newton::follow(RodState& state) {
     constexpr int most = 60;
-    constexpr double least_scale = 1.0 / 256;
     RodState at = state;
     Imbalance now = balance_.imbalance(at);
     for (int i = 0; i < most && !is_spent(); ++i) {
         ++iterations_;
-        const BlockFactors factors = this->factors(at);
-        const NodeMotion motion = factors.solve(now.force);
-        const double far = reach(motion);
-        if (!std::isfinite(far)) return SearchOutcome::failed;
-        const double full = size(motion);
-        double scale = std::min(1.0, 1 / far);
-        RodState trial = stepped(at, motion, scale);
-        Imbalance then = balance_.imbalance(trial);
-        while (full > settled && !(size(factors.solve(then.force)) <= (1 - 0.25 * scale) * full)) {
-            scale *= 0.5;
-            if (scale < least_scale) return SearchOutcome::failed;
-            trial = stepped(at, motion, scale);
-            then = balance_.imbalance(trial);
-        }
-        at = std::move(trial);
-        now = std::move(then);
-        if (full > settled) continue;
+        std::optional<Correction> next = corrected(at, now);
+        if (!next) return SearchOutcome::failed;
+        at = std::move(next->state);
+        now = std::move(next->imbalance);
+        if (!next->is_small) continue;
         ++iterations_;
-        state = stepped(at, this->factors(at).solve(now.force), 1);
+        state = stepped(at, factors(at).solve(now.force), 1);
         return SearchOutcome::converged;
     }
     return SearchOutcome::failed;
 }
 
 void Newton::leave_saddle(RodState& state) {
+    constexpr double push = 0.1;  // of the span
+    state = stepped(state, softest_motion(state), push);
+}
+
+/// By inverse iteration from a motion without symmetry; the largest displacement is one span.
+NodeMotion Newton::softest_motion(const RodState& state) {
     balance_.stiffness(state, stiffness_);
     double bed = least_bed;
     while (bed < most_bed && !factors_on_bed(bed).is_positive_definite())
         bed *= 2;
     const BlockFactors factors = factors_on_bed(bed);
-    // inverse iteration from a motion without symmetry
-    NodeMotion mode(bed_.size(), Vector6::Zero());
+    NodeMotion mode(across_.size(), Vector6::Zero());
     for (std::size_t k = 0; k < mode.size(); ++k) {
         const double s = static_cast<double>(k + 1) / static_cast<double>(mode.size());
         mode[k].head<3>() = span_[k] * Vector3d(s, 0.5 * s * s, 0.3 * s);
@@ -162,7 +190,7 @@ void Newton::leave_saddle(RodState& state) {
     for (int i = 0; i < rounds; ++i) {
         NodeMotion pushed(mode.size(), Vector6::Zero());
         for (std::size_t k = 0; k < mode.size(); ++k)
-            pushed[k].head<3>() = bed_[k] * mode[k].head<3>();
+            pushed[k].head<3>() = firmness_[k] * (across_[k] * mode[k].head<3>());
         mode = factors.solve(pushed);
         double largest = 0;
         for (std::size_t k = 0; k < mode.size(); ++k)
@@ -170,8 +198,7 @@ void Newton::leave_saddle(RodState& state) {
         for (Vector6& node : mode)
             node /= largest;
     }
-    constexpr double push = 0.1;  // of the span
-    state = stepped(state, mode, push);
+    return mode;
 }
 
 BlockFactors Newton::factors(const RodState& state) {
@@ -182,8 +209,11 @@ BlockFactors Newton::factors(const RodState& state) {
 BlockFactors Newton::factors_on_bed(double bed) const {
     if (bed == 0) return BlockFactors(stiffness_);
     BlockTridiagonal held = stiffness_;
-    for (std::size_t k = 0; k < bed_.size(); ++k)
-        held.diagonal[k].topLeftCorner<3, 3>() += bed * bed_[k];
+    for (std::size_t k = 0; k < across_.size(); ++k) {
+        const Matrix3d springs = bed * firmness_[k] * across_[k];
+        held.diagonal[k].topLeftCorner<3, 3>() += springs;
+        held.diagonal[k].bottomRightCorner<3, 3>() += turning_[k] * springs;
+    }
     return BlockFactors(held);
 }
 
@@ -192,14 +222,14 @@ RodState Newton::stepped(const RodState& state, const NodeMotion& motion, double
 }
 
 /// The largest part of a motion, in units of what one step may move: the clearance across the
-/// well, and a turn of directors by 1 rad.
+/// well and a turn of directors across it; without a well a turn by 1 rad.
 double Newton::reach(const NodeMotion& motion) const {
+    constexpr double most_turn = 0.3;  // rad
     double largest = 0;
     for (std::size_t k = 0; k < motion.size(); ++k) {
         const double shift = (across_[k] * motion[k].head<3>()).norm() / span_[k];
-        const double turn = motion[k].tail<3>().norm();
-        largest = std::max(largest, shift);
-        if (!scene_.well) largest = std::max(largest, turn);
+        const double turn = (across_[k] * motion[k].tail<3>()).norm();
+        largest = std::max(largest, scene_.well ? std::max(shift, turn / most_turn) : turn);
         if (!std::isfinite(shift + turn)) return std::numeric_limits<double>::infinity();
     }
     return largest;
@@ -216,8 +246,9 @@ double Newton::size(const NodeMotion& motion) const {
 Newton::Work Newton::work(const NodeMotion& force, const NodeMotion& motion, double bed) const {
     double held = 0;
     for (std::size_t k = 0; k < motion.size(); ++k) {
-        const Vector3d shift = motion[k].head<3>();
-        held += bed * shift.dot(bed_[k] * shift);
+        const Vector3d shift = across_[k] * motion[k].head<3>();
+        const Vector3d turn = across_[k] * motion[k].tail<3>();
+        held += bed * firmness_[k] * (shift.squaredNorm() + turning_[k] * turn.squaredNorm());
     }
     return {dot(force, motion), held};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "drillstrand/scene.hpp"
@@ -42,6 +43,26 @@ class Newton {
     [[nodiscard]] double clearance(std::size_t node) const { return span_[node - 1]; }
 
   private:
+    enum class Verdict { not_firm, too_far, uphill, taken };
+    struct Downhill {
+        Verdict verdict = Verdict::not_firm;
+        double far = 0;                 ///< reach of the whole step
+        std::optional<RodState> state;  ///< after the step
+        Imbalance imbalance;            ///< there
+        bool is_small = false;
+        bool is_as_predicted = false;
+    };
+    [[nodiscard]] Downhill downhill(const RodState& state, const Imbalance& now, double bed) const;
+    static double harder(const Downhill& step);
+
+    struct Correction {
+        RodState state;
+        Imbalance imbalance;
+        bool is_small;
+    };
+    std::optional<Correction> corrected(const RodState& state, const Imbalance& now);
+    NodeMotion softest_motion(const RodState& state);
+
     [[nodiscard]] BlockFactors factors_on_bed(double bed) const;
     [[nodiscard]] RodState stepped(const RodState& state, const NodeMotion& motion,
                                    double scale) const;
@@ -62,9 +83,11 @@ class Newton {
     int iterations_ = 0;
     StepRule rule_;
     BlockTridiagonal stiffness_;
-    std::vector<Eigen::Matrix3d> bed_;  ///< stiffness of the bed of unit strength, per node (N/m)
-    std::vector<Eigen::Matrix3d> across_;  ///< projection on what the clearance limits, per node
-    std::vector<double> span_;             ///< length to compare displacements with, per node (m)
+    // per node but the head
+    std::vector<Eigen::Matrix3d> across_;  ///< projection on what the bed holds
+    std::vector<double> firmness_;         ///< of the bed of unit strength (N/m)
+    std::vector<double> turning_;          ///< its stiffness against turns, per firmness (m2)
+    std::vector<double> span_;             ///< length to compare displacements with (m)
 };
 
 }  // namespace drillstrand

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace drillstrand {
 
@@ -48,36 +49,69 @@ RodState::RodState(const InitialNodes& nodes, const Vector3d& head_d1,
     }
 }
 
+namespace {
+
+/// Turns a section by the shortest way of its director and then about it: right for spins of many
+/// turns, as a torque at the bit causes.
+void turn_by_spin(RodState& next, std::size_t node, const Vector3d& rotation, double spin) {
+    const Vector3d t = next.director[node];
+    const Vector3d to = rotated(t, rotation - spin * t).normalized();
+    next.material[node] = turned_about(carried(next.material[node], t, to), to, spin).normalized();
+    next.director[node] = to;
+}
+
+void turn_rigidly(RodState& next, std::size_t node, const Vector3d& rotation) {
+    next.director[node] = rotated(next.director[node], rotation).normalized();
+    next.material[node] = rotated(next.material[node], rotation).normalized();
+}
+
+/// Angle from the frame of the node before, carried by the shortest turn of the director, to that
+/// of the node; of all that differ by whole turns the nearest to `guess`.
+double frame_angle(const RodState& state, std::size_t node, double guess) {
+    const Vector3d& t = state.director[node];
+    const Vector3d from = carried(state.material[node - 1], state.director[node - 1], t);
+    const Vector3d& to = state.material[node];
+    const double angle = std::atan2(t.dot(from.cross(to)), from.dot(to));
+    constexpr double turn = 2 * std::numbers::pi;
+    return angle + turn * std::round((guess - angle) / turn);
+}
+
+/// The end of a chord whose strains change as the motion of its ends says to first order.
+Vector3d strained_chord(const Vector3d& chord, const Vector3d& change, const Vector3d& rotation) {
+    return rotated(chord + change - rotation.cross(chord), rotation);
+}
+
+}  // namespace
+
 RodState moved(const RodState& state, const std::vector<double>& length, const NodeMotion& motion,
                double scale, StepRule rule) {
     RodState next = state;
+    Vector6 before = Vector6::Zero();
     double spin_before = 0;
-    Vector3d rotation_before = Vector3d::Zero();
     for (std::size_t k = 0; k < motion.size(); ++k) {
         const std::size_t node = k + 1;
+        const Vector6 now = scale * motion[k];
+        const Vector3d rotation = now.tail<3>();
         const Vector3d& t = state.director[node];
-        const Vector3d rotation = scale * motion[k].tail<3>();
         const double spin = rotation.dot(t);
-        Vector3d& to = next.director[node];
-        to = rotated(t, rotation - spin * t).normalized();
-        next.material[node] =
-            turned_about(carried(state.material[node], t, to), to, spin).normalized();
-        next.twist[k] +=
-            (spin - spin_before + swept_area(state.director[k], t, to, next.director[k])) /
-            length[k];
         if (rule == StepRule::nodes) {
-            next.position[node] += scale * motion[k].head<3>();
+            next.position[node] += now.head<3>();
+            turn_by_spin(next, node, rotation, spin);
+            next.twist[k] +=
+                (spin - spin_before +
+                 swept_area(state.director[k], t, next.director[node], next.director[k])) /
+                length[k];
         } else {
-            const Vector3d chord = state.position[node] - state.position[k];
-            const Vector3d change =
-                scale * (k > 0 ? Vector3d(motion[k].head<3>() - motion[k - 1].head<3>())
-                               : Vector3d(motion[k].head<3>()));
-            const Vector3d mean = 0.5 * (rotation_before + rotation);
+            const Vector3d mean = 0.5 * (before.tail<3>() + rotation);
             next.position[node] =
-                next.position[k] + rotated(chord + change - mean.cross(chord), mean);
+                next.position[k] + strained_chord(state.position[node] - state.position[k],
+                                                  now.head<3>() - before.head<3>(), mean);
+            turn_rigidly(next, node, rotation);
+            const double guess = length[k] * state.twist[k] + spin - spin_before;
+            next.twist[k] = frame_angle(next, node, guess) / length[k];
         }
+        before = now;
         spin_before = spin;
-        rotation_before = rotation;
     }
     return next;
 }

@@ -142,6 +142,7 @@ void EquilibriumSearch::put_on(Stage stage) {
             const bool was_sound = sound;
             sound = is_sound(newton_.factors(state_));
             if (was_sound && !sound) report_buckling(stage, state_, factor, next);
+            balance_.set_loads(loads_at(stage, next));
         }
         factor = next;
         step *= 2;

@@ -21,7 +21,8 @@ class EnergyAudit {
     /// or potential energy, work or dissipation (J).
     [[nodiscard]] double moved() const;
 
-    /// What appeared, divided by what moved; 0 where no energy moved.
+    /// What appeared, divided by what moved; 0 where no energy moved but by rounding (1e-10 of the
+    /// largest energy), as in a string that stays at rest.
     [[nodiscard]] double residual() const;
 
   private:

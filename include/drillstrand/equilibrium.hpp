@@ -70,4 +70,7 @@ struct Equilibrium {
 /// where the head is free (nothing holds the string).
 Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& options = {});
 
+/// As find_equilibrium(), but its nodes alone.
+InitialNodes equilibrium_nodes(const Scene& scene, const EquilibriumOptions& options = {});
+
 }  // namespace drillstrand

@@ -274,10 +274,35 @@ TEST(BadCases, TheStringMustFitTheWell) {
 
 TEST(BadCases, WhatIsNotAvailableYetIsRefused) {
     expect_messages({
-        {"duration = 20\n", "duration = 20\n[initial]\nstate = \"equilibrium\"\n",
-         R"(case.toml:40:9: initial.state asks for what is not available yet; expected "coaxial")"},
         {"viscosity = 1e-3", "viscosity = 1e-3\nadded_mass = true",
          "case.toml:10:14: fluid.added_mass asks for what is not available yet; expected false"},
+    });
+}
+
+TEST(BadCases, EquilibriumNeedsAHeldHeadTheLeapfrogAndRatesThatGoWithTheMotion) {
+    expect_messages({
+        {"duration = 20\n",
+         "duration = 20\nintegrator = \"dormand-prince\"\n[initial]\nstate = \"equilibrium\"\n",
+         R"(case.toml:41:9: initial.state is that of the leapfrog's rod; expected run.integrator = "leapfrog")"},
+        {"rotation = [[0, 0], [2, \"110 rpm\"]]\n",
+         "motion = \"free\"\n[initial]\nstate = \"equilibrium\"\n",
+         R"(case.toml:33:9: initial.state needs a head that holds the string; expected head.motion = "driven")"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\naxial_speed = 1\n",
+         R"(case.toml:40:15: equilibrium.axial_speed has no effect; expected it with motion = "rotating", "sliding", "tripping_in" or "tripping_out")"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"sliding\"\nrotation = 1\n",
+         R"(case.toml:41:12: equilibrium.rotation has no effect; expected it with motion = "rotating", "tripping_in" or "tripping_out")"},
+        {"duration = 20\n",
+         "duration = 20\n[equilibrium]\nmotion = \"tripping_out\"\naxial_speed = 1\n",
+         "case.toml:41:15: equilibrium.axial_speed does not go out of the hole; expected less than "
+         "0 m/s"},
+        {"duration = 20\n",
+         "duration = 20\n[equilibrium]\nmotion = \"tripping_in\"\nrotation = \"20 rpm\"\n",
+         "case.toml:41:12: equilibrium.rotation needs its speed too; expected "
+         "equilibrium.axial_speed"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"rotating\"\nrotation = 0\n",
+         "case.toml:41:12: equilibrium.rotation is 0; expected a rate, or another motion"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"drilling\"\n",
+         R"(case.toml:40:10: equilibrium.motion is "drilling"; expected "rest" or "rotating" or "tripping_in" or "tripping_out" or "sliding")"},
     });
 }
 

@@ -1,0 +1,350 @@
+// Equilibria against exact shapes, loads and laws of statics. Exact shapes without a closed form:
+// boundary-value solution of the Simo-Reissner rod by shooting to 1e-13.
+#include "drillstrand/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "drillstrand/error.hpp"
+#include "drillstrand/simulation.hpp"
+#include "statics/statics_cases.hpp"
+
+namespace drillstrand {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+Equilibrium equilibrium_of(const std::string& toml) {
+    return find_equilibrium(build_scene(test::case_from(toml)));
+}
+
+Vector3d tip_of(const std::string& toml) {
+    return equilibrium_of(toml).series.bit_position;
+}
+
+/// Order of convergence from three meshes, each twice as fine, of the error of the tip.
+template <class Tip>
+void expect_second_order(const Tip& tip, const Vector3d& exact, int coarsest, double error) {
+    const double coarse = (tip(coarsest) - exact).norm();
+    const double middle = (tip(2 * coarsest) - exact).norm();
+    const double fine = (tip(4 * coarsest) - exact).norm();
+    EXPECT_NEAR(std::log2(coarse / middle), 2, 0.1);
+    EXPECT_NEAR(std::log2(middle / fine), 2, 0.05);
+    EXPECT_LT(fine, error);
+}
+
+TEST(Equilibrium, CantileverUnderItsOwnWeightSagsToTheExactTipAtSecondOrder) {
+    const auto tip = [](int segments) {
+        return tip_of("gravity = 9.81\n" + test::table_2_pipe + test::mesh(segments) +
+                      "[head]\ndirection = [1, 0, 0]\n");
+    };
+    expect_second_order(tip, {22.948260142372, 0, 6.566100128076828}, 16, 0.02e-3);
+}
+
+TEST(Equilibrium, DeadForceBendsThePipeAsTheElastica) {
+    // P L2/EI = 10; without shear and stretch the tip goes down 0.8106090248803 L and back by
+    // 0.5549955977538 L (elliptic integrals)
+    const auto slender = [](int segments) {
+        return tip_of("gravity = 0\n" + test::rod({1, 1, 1, 1e8, 1e8}) + test::mesh(segments) +
+                      "[head]\ndirection = [1, 0, 0]\n[bit]\nforce = [0, 0, 10]\n");
+    };
+    expect_second_order(slender, {1 - 0.5549955977538, 0, 0.8106090248803}, 16, 1e-3);
+    const auto pipe = [](int segments) {
+        return tip_of("gravity = 0\n" + test::table_2_pipe + test::mesh(segments) +
+                      fmt::format("[head]\ndirection = [1, 0, 0]\n[bit]\nforce = [0, 0, {:.17g}]\n",
+                                  10 * test::table_2_bending_stiffness / (24.0 * 24.0)));
+    };
+    expect_second_order(pipe, {10.680006002700965, 0, 19.455644049347967}, 16, 0.02);
+}
+
+TEST(Equilibrium, MomentOfTwoPiEIOverLRollsThePipeUpToACircleOnEveryMesh) {
+    const Vector3d moment(0, 2 * pi * test::table_2_bending_stiffness / 24, 0);
+    for (const int mesh : {4, 12, 50}) {
+        Case input = test::case_from("gravity = 0\n" + test::table_2_pipe + test::mesh(mesh) +
+                                     "[head]\ndirection = [1, 0, 0]\n");
+        input.bit.moment = moment;  // d1 points east
+        EXPECT_LT(find_equilibrium(build_scene(input)).series.bit_position.norm(), 1e-8) << mesh;
+        std::swap(input.bit.moment, input.bit.dead_moment);
+        EXPECT_LT(find_equilibrium(build_scene(input)).series.bit_position.norm(), 1e-8) << mesh;
+    }
+}
+
+TEST(Equilibrium, BatheAndBolourchisBendIsPulledOutOfItsPlaneToTheExactTip) {
+    // an eighth of a circle of radius 100, E = 1e7, nu = 0, section 1 x 1, k = 1, GJ = 8.3333e5
+    const auto bend = [](double force) {
+        return [force](int segments) {
+            return tip_of(
+                "gravity = 0\n" +
+                test::rod({25 * pi, 1e7 / 12, 8.3333e5, 1e7, 5e6}, "curvature = [0, 0, 0.01]") +
+                test::mesh(segments) +
+                fmt::format("[head]\ndirection = [0, 1, 0]\n[initial]\nstate = "
+                            "\"stress-free\"\n[bit]\nforce = [0, 0, {}]\n",
+                            force));
+        };
+    };
+    expect_second_order(bend(300), {22.24478094536764, 58.7791224896828, 40.191891670150234}, 8,
+                        0.02);
+    expect_second_order(bend(600), {15.684800534038827, 47.15043857362901, 53.47485879182495}, 8,
+                        0.02);
+}
+
+TEST(Equilibrium, DeadCoupleHoldsARodOfEqualStiffnessesInAHelix) {
+    // closed form: x = integral of exp(s M/EI x) e1; circulatory, so that no motion settles there
+    const auto helix = [](double moment) {
+        return [moment](int segments) {
+            return tip_of("gravity = 0\n" + test::rod({10, 100, 100, 1e6, 1e6}) +
+                          test::mesh(segments) +
+                          fmt::format("[head]\ndirection = [1, 0, 0]\n[bit]\ndead_moment = "
+                                      "[{0:.17g}, 0, {0:.17g}]\n",
+                                      moment));
+        };
+    };
+    expect_second_order(helix(50), {5.501240626379335, 0.2946520936915577, 4.498759373620664}, 16,
+                        0.012);
+    expect_second_order(helix(62.8318530718),
+                        {5.288826199284144, 1.478721456412797, 4.711173800715854}, 16, 0.012);
+}
+
+TEST(Equilibrium, HangingPipeStretchesByHalfItsWeightOverItsStiffnessOnEveryMesh) {
+    for (const int segments : {1, 7, 200}) {
+        const Equilibrium found =
+            equilibrium_of("gravity = 9.81\n" + test::table_3_pipe(1000) + test::mesh(segments));
+        const double weight = 31.8557 * 9.81 * 1000;
+        EXPECT_NEAR(found.series.bit_position.z() - 1000, 0.1912947027061573, 1e-10) << segments;
+        EXPECT_NEAR(found.hook_load, weight, 1e-6) << segments;
+        EXPECT_TRUE(found.stable);
+    }
+}
+
+TEST(Equilibrium, TorqueOfARotatingBitTwistsTheFreeStringByTLOverGJ) {
+    Case input = test::case_from("gravity = 9.81\n" + test::table_3_pipe(1000) + test::mesh(50) +
+                                 "[bit]\ntorque = 10000\n");
+    EquilibriumOptions options;
+    options.motion = steady_motion(StringMotion::rotating, 10);
+    const Equilibrium found = find_equilibrium(build_scene(input), options);
+    EXPECT_NEAR(found.surface_torque, 10000, 1e-6);
+    for (const double twist : found.nodes.twist)
+        EXPECT_NEAR(twist, -10000 / test::table_3_bending_stiffness, 1e-12);  // GJ = EI: nu = 0
+}
+
+// ------------------------------------------------------------------ buckling
+
+double buckling_load(int segments) {
+    const Equilibrium found = equilibrium_of("gravity = 0\n" + test::table_3_pipe(1000) +
+                                             test::mesh(segments) + "[bit]\nforce = [0, 0, -5]\n");
+    EXPECT_EQ(found.warnings.size(), 1U);
+    EXPECT_TRUE(found.stable);
+    double factor = 0;
+    EXPECT_EQ(std::sscanf(found.warnings.at(0).c_str(), "the string buckles at %lf", &factor), 1);
+    return 5 * factor;
+}
+
+TEST(EquilibriumBuckling, ColumnReportsEulersLoadAtSecondOrder) {
+    const double exact = 4.2827419665;  // pi^2 EI / (4 L^2)
+    const double coarse = buckling_load(20) - exact;
+    const double fine = buckling_load(40) - exact;
+    EXPECT_LT(std::abs(fine), 0.0012);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.05);
+}
+
+TEST(EquilibriumBuckling, ColumnBeyondItsLoadIsFoundBentAsTheElastica) {
+    const double load = 1.3;  // times pi^2 EI / (4 L^2)
+    const Equilibrium found =
+        equilibrium_of("gravity = 0\n" + test::rod({1, 1, 1, 1e8, 1e8}) + test::mesh(100) +
+                       fmt::format("[bit]\nforce = [0, 0, {:.17g}]\n", -load * pi * pi / 4));
+    const double tip_angle = std::acos(found.nodes.director.back().z());
+    const double integral = std::comp_ellint_1(std::sin(0.5 * tip_angle));
+    EXPECT_TRUE(found.stable);
+    EXPECT_NEAR(std::pow(2 * integral / pi, 2), load, 1e-3);
+}
+
+TEST(EquilibriumBuckling, PipeUnderLoadBelowItsCriticalOneIsStraightAndStable) {
+    const Equilibrium found = equilibrium_of("gravity = 0\n" + test::table_3_pipe(1000) +
+                                             test::mesh(20) + "[bit]\nforce = [0, 0, -4]\n");
+    EXPECT_TRUE(found.warnings.empty());
+    EXPECT_TRUE(found.stable);
+    EXPECT_LT(found.series.bit_position.head<2>().norm(), 1e-9);
+}
+
+// ------------------------------------------------------------------ wells and friction
+
+constexpr double inclination = pi / 3;
+constexpr double length = 300;
+constexpr double friction = 0.3;
+constexpr int segments = 60;
+constexpr double wall = 1e7;  // Pa
+
+/// A pipe in a straight inclined well of 0.22 m that lies on the wall, `climb` up from its low side
+/// against positive rotation, from head to bit: the exact state is straight.
+struct InclinedPipe {
+    explicit InclinedPipe(double climb)
+        : along(std::sin(inclination), 0, std::cos(inclination)),
+          up(std::cos(inclination), 0, -std::sin(inclination)) {
+        Case input = test::case_from(test::table_3_pipe(length) + test::mesh(segments) +
+                                     "[bit]\nweight = 2e4\ntorque = 500\n");
+        weight = 31.8557 * input.gravity;
+        normal = weight * std::sin(inclination) * std::cos(climb);
+        const Vector3d toward_axis = std::cos(climb) * up - std::sin(climb) * along.cross(up);
+        input.well = test::well_through({{0, inclination, 0}, {1000, inclination, 0}}, 0.22);
+        input.contact.normal_stiffness = wall;
+        input.contact.static_friction = {friction, friction};
+        input.contact.dynamic_friction = {friction, friction};
+        input.bit.direction = BitDirection::well;
+        input.head.position = -(0.04 + normal / wall) * toward_axis;
+        scene = build_scene(input);
+    }
+
+    [[nodiscard]] Equilibrium moving(const SteadyMotion& motion, bool bit_loads) const {
+        EquilibriumOptions options;
+        options.motion = motion;
+        options.bit_loads = bit_loads;
+        return find_equilibrium(scene, options);
+    }
+
+    [[nodiscard]] double axial_weight() const { return weight * std::cos(inclination) * length; }
+    /// The head's own half cell is held by the head, not by the wall.
+    [[nodiscard]] double wall_force() const { return normal * (length - 0.5 * length / segments); }
+
+    Vector3d along, up;
+    double weight = 0;  // N/m
+    double normal = 0;  // N/m
+    Scene scene;
+};
+
+constexpr double exact = 1e-4;  // N and N m, of 1e5: rounding
+
+TEST(InclinedPipe, AtRestHangsOnTheHeadWithTheWeightAlongTheWellLessTheBits) {
+    const InclinedPipe pipe(0);
+    const Equilibrium found = pipe.moving({}, true);
+    EXPECT_NEAR(found.hook_load, pipe.axial_weight() - 2e4, exact);
+    EXPECT_NEAR(found.surface_torque, 0, exact);
+    EXPECT_EQ(found.series.contact_nodes, segments + 1);
+    EXPECT_NEAR(found.profile.normal_force.back(), pipe.normal, 1e-6 * pipe.normal);
+}
+
+TEST(InclinedPipe, TrippingAddsOrTakesFrictionAndLeavesTheBitAlone) {
+    const InclinedPipe pipe(0);
+    const double drag = friction * pipe.wall_force();
+    for (const auto& [motion, sign] :
+         {std::pair{StringMotion::tripping_in, -1.0}, std::pair{StringMotion::tripping_out, 1.0}}) {
+        const Equilibrium found = pipe.moving(steady_motion(motion, 0), bit_is_loaded(motion));
+        EXPECT_NEAR(found.hook_load, pipe.axial_weight() + sign * drag, exact);
+        EXPECT_NEAR(found.surface_torque, 0, exact);
+        EXPECT_EQ(found.bit_force.norm(), 0);
+    }
+}
+
+TEST(InclinedPipe, SlidingPushesTheBitAgainstFriction) {
+    const InclinedPipe pipe(0);
+    const Equilibrium found = pipe.moving(steady_motion(StringMotion::sliding, 0), true);
+    EXPECT_NEAR(found.hook_load, pipe.axial_weight() - 2e4 - friction * pipe.wall_force(), exact);
+    EXPECT_NEAR(found.surface_torque, 0, exact);
+}
+
+TEST(InclinedPipe, RotatingClimbsByTheAngleOfFrictionAndTakesTorqueButNoDrag) {
+    const InclinedPipe pipe(std::atan(friction));
+    const Equilibrium found = pipe.moving(steady_motion(StringMotion::rotating, 10), true);
+    EXPECT_NEAR(found.hook_load, pipe.axial_weight() - 2e4, exact);
+    EXPECT_NEAR(found.surface_torque, 500 + 0.07 * friction * pipe.wall_force(), exact);
+    const Vector3d aside = found.series.bit_position - found.series.head_position;
+    EXPECT_LT((aside - aside.dot(pipe.along) * pipe.along).norm(), 1e-9);
+}
+
+TEST(InclinedPipe, RotationTakesFrictionAwayFromTripping) {
+    // the surface moves at 30 degrees to the well
+    const double angle = pi / 6;
+    const InclinedPipe pipe(std::atan(friction * std::sin(angle)));
+    const SteadyMotion motion{-std::cos(angle), std::sin(angle) / 0.07};
+    const Equilibrium found = pipe.moving(motion, false);
+    EXPECT_NEAR(found.hook_load,
+                pipe.axial_weight() + friction * std::cos(angle) * pipe.wall_force(), exact);
+    EXPECT_NEAR(found.surface_torque, 0.07 * friction * std::sin(angle) * pipe.wall_force(), exact);
+}
+
+TEST(InclinedPipe, FrictionOfCombinedMotionIsMuTimesTheNormalForce) {
+    const Equilibrium found = InclinedPipe(0).moving({0.3, 5}, false);
+    for (std::size_t k = 1; k < found.profile.contact_force.size(); ++k) {
+        const Vector3d& force = found.profile.contact_force[k];
+        EXPECT_NEAR(force.norm(), found.profile.normal_force[k] * std::hypot(1, friction),
+                    1e-9 * force.norm());
+    }
+}
+
+/// Ratio of the tensions at the middle of the first segment and at the bit of a limp weightless
+/// line that is pulled out of a bend of 90 degrees, over the capstan's exp(mu angle).
+double capstan_ratio(int mesh) {
+    constexpr double bend = 100;  // m
+    constexpr double pull = 1e4;  // N
+    Case input =
+        test::case_from("gravity = 0\n" + test::rod({150, 10, 10, 1e8, 1e8}) + test::mesh(mesh));
+    input.well = test::well_through({{0, 0, 0}, {bend * pi / 2, pi / 2, 0}}, 0.102);
+    input.bit.direction = BitDirection::well;
+    input.bit.weight = -pull;
+    // on the inside of the bend, where the line comes to lie
+    input.head.position = Vector3d(1e-3 + pull / bend / input.contact.normal_stiffness, 0, 0);
+    input.contact.dynamic_friction = {0.2, 0.2};
+    EquilibriumOptions options;
+    options.motion = steady_motion(StringMotion::tripping_out, 0);
+    const Equilibrium found = find_equilibrium(build_scene(input), options);
+    const double depth = 0.5 * (found.profile.well_depth[0] + found.profile.well_depth[1]);
+    const double angle = (found.profile.well_depth.back() - depth) / bend;
+    return found.series.head_stress[3] / pull / std::exp(0.2 * angle);
+}
+
+TEST(Capstan, TensionGrowsByTheExponentialOfFrictionTimesAngleAtSecondOrder) {
+    const double coarse = capstan_ratio(50) - 1;
+    const double fine = capstan_ratio(100) - 1;
+    EXPECT_LT(std::abs(fine), 1e-4);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
+}
+
+// ------------------------------------------------------------------ runs from equilibrium
+
+TEST(EquilibriumStart, ShippedWellsStayAtRestForTenSecondsWithoutDrive) {
+    for (const char* name : {"well1", "well2", "well3"}) {
+        Case input = read_case(fmt::format("{}/cases/{}.toml", DRILLSTRAND_SOURCE_DIR, name),
+                               {{"initial.state", "equilibrium"}, {"head.rotation", "0"}});
+        const Scene scene = build_scene(input);
+        IntegratorOptions options = integrator_options(input.run);
+        options.threads = 1;
+        const auto leapfrog = make_integrator(scene, options);
+        const Vector3d start = leapfrog->series().bit_position;
+        leapfrog->advance(10, 1'000'000);
+        const SeriesRecord end = leapfrog->series();
+        EXPECT_LT(end.energy.kinetic, 1e-6) << name;
+        EXPECT_LT((end.bit_position - start).norm(), 1e-6) << name;
+        EXPECT_GT(end.contact_nodes, scene.segments / 4) << name;
+    }
+}
+
+TEST(EquilibriumStart, FromANeighbouringStateIsThatOfAColdStart) {
+    const InclinedPipe pipe(0);
+    EquilibriumOptions options;
+    options.motion = steady_motion(StringMotion::tripping_out, 0);
+    const Equilibrium cold = find_equilibrium(pipe.scene, options);
+    options.start = pipe.moving(steady_motion(StringMotion::tripping_in, 0), false).nodes;
+    const Equilibrium warm = find_equilibrium(pipe.scene, options);
+    EXPECT_NEAR(warm.hook_load, cold.hook_load, exact);
+    EXPECT_LT(warm.iterations, cold.iterations);
+}
+
+TEST(EquilibriumFailure, AFreeHeadAndAStringThatNeverSettlesAreErrors) {
+    const std::string pipe = test::table_3_pipe(1000) + test::mesh(20);
+    EXPECT_THROW(equilibrium_of(pipe + "[head]\nmotion = \"free\"\n"), std::invalid_argument);
+    EquilibriumOptions options;
+    options.max_iterations = 2;
+    const Scene scene =
+        build_scene(test::case_from("gravity = 9.81\n" + test::table_2_pipe + test::mesh(8) +
+                                    "[head]\ndirection = [1, 0, 0]\n"));
+    EXPECT_THROW(find_equilibrium(scene, options), SimulationError);
+}
+
+}  // namespace
+}  // namespace drillstrand
