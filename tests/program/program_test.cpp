@@ -304,9 +304,50 @@ TEST_F(Program, AnErrorInTheCaseLeavesAnOlderResultAlone) {
     EXPECT_EQ(text_of(desk() / "pipe.h5"), older);
 }
 
+TEST_F(Program, EquilibriumPrintsWhatHoldsTheStringAndWritesAFileOnlyWhenAsked) {
+    Ending ending = run({"equilibrium", "pipe.toml"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(ending.err, "");
+    EXPECT_THAT(ending.out,
+                AllOf(HasSubstr("A pipe hangs and swings"), HasSubstr("at rest"),
+                      HasSubstr("hook load"), HasSubstr("bit position"), HasSubstr("iterations")));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+
+    ending = run({"equilibrium", "pipe.toml", "-o", "rest.h5"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(files(), ElementsAre("pipe.toml", "rest.h5"));
+    const Result result = read_result(desk() / "rest.h5");
+    EXPECT_EQ(result.footer.status, "complete");
+    ASSERT_EQ(result.series.size(), 1U);
+    ASSERT_EQ(result.profiles.size(), 1U);
+    EXPECT_EQ(result.series[0].energy.kinetic, 0);
+    EXPECT_EQ(result.profiles[0].position.back(), result.series[0].bit_position);
+}
+
+TEST_F(Program, EquilibriumThatCannotBeIsOneLine) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
+        {{"-o", "-"}, "-o -: "},
+        {{"-o", "pipe.toml"}, "that is the case file"},
+        {{"--set", "equilibrium.motion=flying"}, "equilibrium.motion"},
+        {{"--set", "head.motion=free"}, "pipe.toml: head.motion"}};
+    for (const auto& [options, words] : mistakes) {
+        std::vector<std::string> command = {"equilibrium", "pipe.toml"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 2) << words;
+        EXPECT_THAT(ending.err, is_one_error(words));
+        EXPECT_EQ(ending.out, "");
+    }
+    // a helix under a thrust that follows the bit snakes for ever
+    const Ending snake =
+        run({"equilibrium", std::string(DRILLSTRAND_SOURCE_DIR) + "/cases/vertical_50kN.toml"});
+    EXPECT_EQ(snake.code, 1);
+    EXPECT_THAT(snake.err, is_one_error("no equilibrium found"));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+}
+
 TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
     const std::vector<std::vector<std::string>> later = {
-        {"equilibrium", "pipe.toml", "-o", "e.h5"},
         {"export", "out.h5", "--vtk"},
         {"study", "study.toml"},
         {"run", "pipe.toml", "--restart", "checkpoint.h5"}};
@@ -316,7 +357,7 @@ TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
         EXPECT_THAT(ending.err, is_one_error("not available in this version"));
     }
     const std::string help = run({"--help"}).out;
-    for (const char* word : {"equilibrium", "report", "export", "study"})
+    for (const char* word : {"report", "export", "study"})
         EXPECT_THAT(help, Not(HasSubstr(word)));
     EXPECT_THAT(run({"run", "--help"}).out, Not(HasSubstr("restart")));
 }

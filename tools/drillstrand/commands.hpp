@@ -50,6 +50,14 @@ struct BucklingOptions {
 
 int buckling(const BucklingOptions& options);
 
+struct EquilibriumCommand {
+    std::filesystem::path case_path;
+    std::filesystem::path output;  ///< empty: no file
+    Overrides overrides;
+};
+
+int equilibrium(const EquilibriumCommand& command);
+
 struct TorqueDragCommand {
     std::filesystem::path case_path;
     std::filesystem::path output;         ///< HDF5; empty: no file

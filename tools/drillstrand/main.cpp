@@ -18,7 +18,7 @@ namespace drillstrand::program {
 namespace {
 
 /// Commands of the interface that later versions bring.
-constexpr std::array<std::string_view, 3> later_commands = {"equilibrium", "export", "study"};
+constexpr std::array<std::string_view, 2> later_commands = {"export", "study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -49,10 +49,12 @@ class CommandLine {
         add_run();
         add_check();
         add_buckling();
+        add_equilibrium();
         add_torque_drag();
         add_report();
         add_info();
-        for (CLI::App* command : {run_, check_, buckling_, torque_drag_, report_, info_})
+        for (CLI::App* command :
+             {run_, check_, buckling_, equilibrium_, torque_drag_, report_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -69,6 +71,8 @@ class CommandLine {
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
+        if (equilibrium_->parsed())
+            return equilibrium({case_path_, output_, parse_overrides(overrides_)});
         if (torque_drag_->parsed())
             return torque_drag({case_path_, output_, table_path_, profile_table_path_,
                                 parse_overrides(overrides_)});
@@ -117,6 +121,16 @@ class CommandLine {
         buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
+    }
+
+    void add_equilibrium() {
+        equilibrium_ = app_.add_subcommand(
+            "equilibrium",
+            "Print the equilibrium under the final loads, at rest or in steady motion");
+        equilibrium_->add_option("CASE.toml", case_path_, "The case with the string")->required();
+        equilibrium_->add_option("-o,--output", output_, "File for the equilibrium; default: none")
+            ->type_name("OUT.h5");
+        add_overrides(*equilibrium_);
     }
 
     void add_torque_drag() {
@@ -200,8 +214,8 @@ class CommandLine {
         const bool is_command = argc > 1 && argv[1][0] != '-';
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
-                "unknown command '{}'; the commands are run, check, buckling, torque-drag, report "
-                "and info",
+                "unknown command '{}'; the commands are run, check, buckling, equilibrium, "
+                "torque-drag, report and info",
                 argv[1]);
         return error.what();
     }
@@ -216,6 +230,7 @@ class CommandLine {
     CLI::App* run_ = nullptr;
     CLI::App* check_ = nullptr;
     CLI::App* buckling_ = nullptr;
+    CLI::App* equilibrium_ = nullptr;
     CLI::App* torque_drag_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* info_ = nullptr;

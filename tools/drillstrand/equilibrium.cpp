@@ -1,0 +1,138 @@
+/// drillstrand equilibrium: the string at rest, or in steady motion against friction.
+#include "drillstrand/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <numbers>
+
+#include "commands.hpp"
+#include "drillstrand/case.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/result_file.hpp"
+#include "drillstrand/scene.hpp"
+#include "output.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class... Parts>
+void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... parts) {
+    fmt::print("  {:<12} {}\n", name, fmt::format(text, std::forward<Parts>(parts)...));
+}
+
+std::string motion_text(const Case& input, const SteadyMotion& motion) {
+    const auto word = [&] {
+        switch (input.equilibrium.motion) {
+            case StringMotion::rotating:
+                return "rotating";
+            case StringMotion::tripping_in:
+                return "tripping in, off bottom";
+            case StringMotion::tripping_out:
+                return "tripping out, off bottom";
+            case StringMotion::sliding:
+                return "sliding";
+            default:
+                return "at rest, without friction";
+        }
+    }();
+    std::string text = word;
+    // alone, a speed along the well has a direction but no size that matters
+    if (motion.rotation_rate != 0)
+        text += fmt::format(", {:.4g} rpm", motion.rotation_rate * 30 / std::numbers::pi);
+    if (motion.rotation_rate != 0 && motion.axial_speed != 0)
+        text += fmt::format(", {:.4g} m/s along the well", motion.axial_speed);
+    return text;
+}
+
+std::string vector_text(const Eigen::Vector3d& v, double unit) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x() / unit, v.y() / unit, v.z() / unit);
+}
+
+void print_contact(const Scene& scene, const Equilibrium& found) {
+    if (!scene.well) {
+        line("contact", "none, there is no well");
+        return;
+    }
+    const std::vector<double>& side = found.profile.normal_force;
+    double total = 0;
+    for (std::size_t k = 0; k < side.size(); ++k)
+        total += side[k] * scene.mesh.cell[k];
+    const auto worst = std::max_element(side.begin(), side.end());
+    const double there = scene.mesh.node_s[static_cast<std::size_t>(worst - side.begin())];
+    line("contact", "{} of {} nodes, at most {:.4g} m into the wall", found.series.contact_nodes,
+         side.size(), found.series.max_penetration);
+    line("side force", "{:.6g} kN in all, at most {:.6g} kN/m, {:.5g} m from the head", total / 1e3,
+         *worst / 1e3, there);
+}
+
+void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium& found,
+                       const SteadyMotion& motion, double seconds) {
+    fmt::print("{}: {}\n", input.path.string(), input.title);
+    line("motion", "{}", motion_text(input, motion));
+    line("hook load", "{:.9g} kN", found.hook_load / 1e3);
+    line("head torque", "{:.6g} kN m", found.surface_torque / 1e3);
+    line("head stress", "{:.9g} kN axial, {:.6g} kN m twist, in the first segment",
+         found.series.head_stress[3] / 1e3, found.series.head_stress[0] / 1e3);
+    line("bit stress", "{:.9g} kN axial, {:.6g} kN m twist, in the last segment",
+         found.series.bit_stress[3] / 1e3, found.series.bit_stress[0] / 1e3);
+    line("bit load", "{} kN, {} kN m (north, east, down)", vector_text(found.bit_force, 1e3),
+         vector_text(found.bit_couple, 1e3));
+    const Eigen::Vector3d& bit = found.series.bit_position;
+    line("bit position", "({:.9f}, {:.9f}, {:.9f}) m", bit.x(), bit.y(), bit.z());
+    print_contact(scene, found);
+    line("search", "{} iterations in {}, {:.2g} N out of balance", found.iterations,
+         duration_text(seconds), found.residual);
+}
+
+void write(const fs::path& output, const Case& input, const Scene& scene, const Equilibrium& found,
+           double seconds) {
+    ResultHeader header;
+    header.title = input.title;
+    header.case_text = input.text;
+    header.integrator = "equilibrium";
+    header.node_s = scene.mesh.node_s;
+    header.segment_s = scene.mesh.segment_s;
+    ResultWriter writer(output, header);
+    writer.append(found.series);
+    writer.append(found.profile);
+    ResultFooter footer;
+    footer.status = "complete";
+    footer.wall_seconds = seconds;
+    footer.statistics.steps = found.iterations;
+    writer.close(footer);
+}
+
+}  // namespace
+
+int equilibrium(const EquilibriumCommand& command) {
+    const fs::path output = checked_output(command.output, command.case_path);
+    Case input = read_case(command.case_path, command.overrides);
+    if (input.head.motion == HeadMotion::free)
+        throw InputError({input.path.string()},
+                         "head.motion = \"free\": nothing holds the string; an equilibrium needs a "
+                         "held head, motion = \"driven\"");
+    // this is the search that would make the initial state
+    if (input.initial.state == InitialState::equilibrium)
+        input.initial.state = InitialState::coaxial;
+    const Scene scene = build_scene(input);
+    const EquilibriumOptions options = equilibrium_options(input);
+
+    const auto start = std::chrono::steady_clock::now();
+    const Equilibrium found = find_equilibrium(scene, options);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    print_equilibrium(input, scene, found, options.motion, seconds);
+    for (const std::string& warning : found.warnings)
+        fmt::print(stderr, "drillstrand: warning: {}\n", warning);
+    if (!output.empty()) write(output, input, scene, found, seconds);
+    return done;
+}
+
+}  // namespace drillstrand::program
