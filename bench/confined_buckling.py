@@ -205,7 +205,7 @@ def horizontal_cells(row):
     return {**first_cells(row),
             "turns (net), reversals":
                 f"{row['turns']:.1f} ({abs(row['net turns']):.1f}), {row['reversals']}",
-            "pitch (formula)": optional(row["pitch (m)"], "{:.2f} m")
+            "pitch (formula)": (optional(row["pitch (m)"], "{:.2f} m") or "none")
                                + f" ({row['pitch by formula (m)']:.2f} m)",
             "waves": optional(row["wavelength (m)"], "{:.1f} m")
                      + optional(row["amplitude (deg)"], ", ±{:.0f}°"),
