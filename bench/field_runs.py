@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""The shipped field cases with the leapfrog, from start to end, on one thread and on two in turn.
+
+What a user waits for, results included, at the default step; also with the walls of the stiffer
+kind. Both runs of a case must have the same series, bit for bit.
+"""
+
+import argparse
+import statistics
+
+import numpy as np
+
+import measure
+
+STIFF = {"contact.normal_stiffness": 1e7, "contact.tangential_stiffness": 1e6}  # Pa
+CASES = [("Well 1, drilling", "well1.toml", {}), ("Well 1, stiff walls", "well1.toml", STIFF),
+         ("Well 2", "well2.toml", {}), ("Well 2, stiff walls", "well2.toml", STIFF),
+         ("Well 3", "well3.toml", {}), ("Well 3, stiff walls", "well3.toml", STIFF)]
+THREADS = (1, 2)
+
+
+def measure_case(options, name, case, settings):
+    """Medians of one case, as a dict."""
+    walls = {threads: [] for threads in THREADS}
+    processor = []
+    kept = {}
+    for _ in range(options.rounds):
+        for threads in THREADS:
+            attributes, series, seconds = measure.run_case(options.build, case, settings, threads)
+            walls[threads].append(float(attributes["wall_seconds"]))
+            if threads == 1:
+                processor.append(seconds)
+            kept[threads] = series
+    identical = all(np.array_equal(kept[1][key], kept[2][key]) for key in kept[1])
+    duration = float(kept[1]["time"][-1])
+    one, two = (statistics.median(walls[threads]) for threads in THREADS)
+    return {
+        "case": name, "simulated (s)": duration, "steps": int(attributes["steps"]),
+        "wall, 1 thread (s)": one, "wall, 2 threads (s)": two,
+        "processor, 1 thread (s)": statistics.median(processor),
+        "1 thread / 2 threads": one / two, "simulated s per s": duration / min(one, two),
+        "energy residual": float(attributes["energy_residual"]),
+        "time error": float(attributes["time_error"]),
+        "equal on both": identical,
+    }
+
+
+def text_of(row):
+    """A row for README.md."""
+    return {
+        "case": row["case"], "simulated": f"{row['simulated (s)']:.0f} s",
+        "steps": f"{row['steps']}",
+        "1 thread": f"{row['wall, 1 thread (s)']:.2f} s",
+        "2 threads": f"{row['wall, 2 threads (s)']:.2f} s",
+        "ratio": f"{row['1 thread / 2 threads']:.2f}",
+        "simulated s per s": f"{row['simulated s per s']:.0f}",
+        "energy residual": f"{100 * row['energy residual']:.1g} %",
+        "time error of 16 steps": f"{100 * row['time error']:.1g} %",
+        "equal on both": "yes" if row["equal on both"] else "NO",
+    }
+
+
+def main():
+    """Measures, writes CSV and, if asked, README.md."""
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    measure.add_options(parser)
+    parser.add_argument("--rounds", type=int, default=5, help="turns of one and two threads")
+    options = parser.parse_args()
+
+    facts = measure.provenance(options.build)
+    facts.append(("method", f"medians of {options.rounds} rounds, one and two threads in turn"))
+    rows = [measure_case(options, *case) for case in CASES]
+    measure.write_csv(measure.results_folder(options.machine) / "field_runs.csv", facts, rows)
+    table = measure.markdown([text_of(row) for row in rows])
+    print(table)
+    if options.readme:
+        measure.fill_readme(
+            "field-runs", facts,
+            "The cases as they are shipped, but for the stiff walls: k_el = 1e7 Pa and k_tan = "
+            f"1e6 Pa. Wall time from start to end, results included; medians of {options.rounds} "
+            "rounds, one and two threads in turn. The largest sampled time error belongs to the "
+            "first instants, when the string falls from the axis.", table)
+
+
+if __name__ == "__main__":
+    main()
