@@ -41,10 +41,11 @@ std::vector<double> read_steps(const Value& value, const WellCase& well) {
     const double steps = (last - first) / distance;
     if (steps > most_depths)
         step.fail(fmt::format("makes {:.0f} depths; expected at most {:.0f}", steps, most_depths));
-    std::vector<double> depths;
     constexpr double rounding = 1e-9;
-    for (int k = 0; k < std::ceil(steps * (1 - rounding)); ++k)
-        depths.push_back(first + k * distance);
+    const auto count = static_cast<std::size_t>(std::ceil(steps * (1 - rounding)));
+    std::vector<double> depths(count);
+    for (std::size_t k = 0; k < count; ++k)
+        depths[k] = first + static_cast<double>(k) * distance;
     depths.push_back(last);
     return depths;
 }
@@ -65,7 +66,7 @@ std::vector<double> read_list(const Value& value, const WellCase& well) {
 std::vector<double> read_depths(const Value& value, const WellCase& well,
                                 const StringInput& string) {
     const bool steps = value.node().is_table();
-    const std::vector<double> depths = steps ? read_steps(value, well) : read_list(value, well);
+    std::vector<double> depths = steps ? read_steps(value, well) : read_list(value, well);
     const std::vector<Value> entries = steps ? std::vector<Value>{} : value.elements(some_depths);
     for (std::size_t k = 0; k < depths.size(); ++k)
         check_fit_at(well, string, depths[k], steps ? value.where() : entries[k].where());
@@ -83,7 +84,7 @@ TorqueDragMotion read_motion(const Value& value) {
 
 std::vector<TorqueDragMotion> read_motions(const Value& value) {
     std::vector<TorqueDragMotion> motions;
-    constexpr const char* expected = "a list of motions such as [\"rotating\", \"sliding\"]";
+    constexpr const char* expected = R"(a list of motions such as ["rotating", "sliding"])";
     for (const Value& entry : value.elements(expected)) {
         const TorqueDragMotion motion = read_motion(entry);
         if (std::find(motions.begin(), motions.end(), motion) != motions.end())

@@ -9,6 +9,7 @@ namespace {
 template <class Value>
 std::vector<double> to_numbers(const std::vector<Value>& values) {
     std::vector<double> numbers;
+    numbers.reserve(values.size());
     for (const Value& value : values)
         numbers.push_back(static_cast<double>(value));
     return numbers;
