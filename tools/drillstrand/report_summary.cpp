@@ -257,13 +257,13 @@ std::string tiles_json(const Result& result) {
     if (result.series.empty()) return "[]";
     const SeriesRecord& last = result.series.back();
     Items items = {
-        plain("end-time", "Time at the last record", fmt::format("{:.6g} s", last.time)),
-        quantity("hook-load", "Hook load then", hook_load(last), force),
-        quantity("torque", "Surface torque then", surface_torque(last), moment),
-        quantity("weight-on-bit", "Weight on bit then", weight_on_bit(last), force),
-        plain("top-rotation", "Rotation of the top then",
+        plain("end-time", "Last record", fmt::format("{:.6g} s", last.time)),
+        quantity("hook-load", "Hook load", hook_load(last), force),
+        quantity("torque", "Surface torque", surface_torque(last), moment),
+        quantity("weight-on-bit", "Weight on bit", weight_on_bit(last), force),
+        plain("top-rotation", "Rotation of the top",
               fmt::format("{:.4g} rpm", last.head_rotation_rate / revolution_per_minute)),
-        plain("bit-rotation", "Rotation of the bit then",
+        plain("bit-rotation", "Rotation of the bit",
               fmt::format("{:.4g} rpm", last.bit_rotation_rate / revolution_per_minute))};
     if (const Peak peak = peak_of_yield(result); peak.value > 0)
         items.push_back(plain("greatest-mises", "Von Mises, greatest",

@@ -34,14 +34,11 @@ export async function openPage(context, url) {
   return page;
 }
 
-/** Scrolls to a section and waits until its pictures are drawn. */
+/** Scrolls to a section, over its pictures so that each is drawn, and back to its start. */
 export async function showSection(page, id) {
+  for (const picture of await page.locator(`#${id} .plot, #${id} canvas`).elementHandles()) {
+    await picture.evaluate((one) => one.scrollIntoView());
+    await page.waitForFunction((one) => one.dataset.stale === "false", picture);
+  }
   await page.locator(`#${id}`).evaluate((section) => section.scrollIntoView());
-  await page.waitForFunction((name) =>
-    [...document.querySelectorAll(`#${name} .plot`)].every((plot) => plot.data) &&
-    [...document.querySelectorAll(`#${name} canvas`)].every((canvas) => canvas.dataset.points), id);
-  // Drawing changes the height of what is above; the section may have moved on.
-  await page.waitForTimeout(200);
-  await page.locator(`#${id}`).evaluate((section) => section.scrollIntoView());
-  await page.waitForTimeout(100);
 }

@@ -52,6 +52,7 @@ function fieldRange(field) {
     let [least, most] = [quantile(sample, 1 - rangeShare), quantile(sample, rangeShare)];
     if (!field.signed) least = Math.min(0, least);
     if (field.signed && least < 0 && most > 0) least = -(most = Math.max(-least, most));
+    if (Math.abs(least) < 1e-3 * most) least = 0;
     if (least === most) most = least + (Math.abs(least) || 1) * 1e-3;
     rangeOfField.set(field.title, [least, most]);
   }

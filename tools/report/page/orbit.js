@@ -18,7 +18,7 @@ function addOrbit() {
   addPicture(slider, update);
   onFrame(() => {
     const plot = document.getElementById("plot-orbit");
-    if (!plot.data || !pictures.get(plot).inSight) return redrawPlot();
+    if (!pictures.get(plot).inSight || !plot.data) return redrawPlot();
     const [x, y] = orbitPoint(node.index, state.frame);
     Plotly.restyle(plot, { x: [[x]], y: [[y]] }, [2]);
   });

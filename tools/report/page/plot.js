@@ -40,30 +40,34 @@ const watcher = new IntersectionObserver(
       if (isIntersecting && picture.stale) redraw(picture);
     }
   },
-  { rootMargin: "250px" },
+  { rootMargin: "100px" },
 );
 
 function redraw(picture) {
-  picture.stale = false;
   picture.draw();
+  setStale(picture, false);
+}
+
+function setStale(picture, stale) {
+  picture.stale = stale;
+  picture.target.dataset.stale = stale;
 }
 
 /** Draws a picture into `target` by `draw()` whenever it is in sight and out of date. */
 function addPicture(target, draw) {
-  const picture = { draw, stale: true, inSight: false };
+  const picture = { target, draw, stale: true, inSight: false };
   pictures.set(target, picture);
   watcher.observe(target);
-  return () => {
-    picture.stale = true;
-    if (picture.inSight) redraw(picture);
-  };
+  return () => renew(picture);
+}
+
+function renew(picture) {
+  setStale(picture, true);
+  if (picture.inSight) redraw(picture);
 }
 
 function redrawAll() {
-  for (const picture of pictures.values()) {
-    picture.stale = true;
-    if (picture.inSight) redraw(picture);
-  }
+  for (const picture of pictures.values()) renew(picture);
 }
 
 const settings = () => ({
@@ -80,7 +84,7 @@ const axisStyle = (title) => ({
   gridcolor: colour("grid"),
   zerolinecolor: colour("line"),
   linecolor: colour("line"),
-  automargin: true,
+  automargin: "left+width",
 });
 
 function layoutStyle(height) {

@@ -27,10 +27,7 @@ function addProfiles() {
   addPlot(section, plotId, () => profilePlot(fields));
   const plot = document.getElementById(`plot-${plotId}`);
   onFrame(() => {
-    if (!pictures.get(plot).inSight || !plot.data) {
-      pictures.get(plot).stale = true;
-      return;
-    }
+    if (!pictures.get(plot).inSight || !plot.data) return renew(pictures.get(plot));
     const x = fields.map(([, field]) => converted(field.values(state.frame), field.quantity));
     Plotly.restyle(plot, { x }, fields.map((_, k) => 2 * k + 1));
   });

@@ -15,6 +15,8 @@ function addSummary() {
       ...metadata.warnings.map((text) => element("li", {}, text))));
   const tiles = element("div", { class: "tiles" });
   const facts = element("div", { class: "facts" });
+  if (metadata.tiles.length)
+    section.append(element("p", { class: "hint" }, "At the last record; the greatest stress is that of the whole run."));
   section.append(tiles, facts);
   addPicture(section, () => {
     tiles.replaceChildren(...metadata.tiles.map((item) =>

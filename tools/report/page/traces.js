@@ -76,13 +76,14 @@ function addHeadStress() {
 function addContact() {
   if (!metadata.well || !has("series/time")) return;
   const section = addSection("contact", "Contact",
-    "How deep the pipe presses into the wall, how many nodes touch it, and what has happened there since the start.");
+    "How deep the pipe presses into the wall, how many nodes touch it, and what happened since the start: nodes that came into contact " +
+    "(impacts), came into or left it (changes), and began to slide (slips).");
   addPlot(section, "contact", () => stripPlot([
     { title: "Largest penetration", quantity: "small", lines: [{ name: "", values: series("max_penetration") }] },
     { title: "Nodes in contact", quantity: "count", lines: [{ name: "", values: series("contact_nodes"), colour: 2 }] },
-    { title: "Events since the start", quantity: "count", lines: [
+    { title: "Events", quantity: "count", lines: [
       { name: "impacts", values: series("impacts") },
-      { name: "changes of contact", values: series("contact_changes"), colour: 1 },
+      { name: "changes", values: series("contact_changes"), colour: 1 },
       { name: "slips", values: series("slips"), colour: 2 }] },
   ]));
 }

@@ -84,10 +84,17 @@ class View {
   }
 
   reset() {
-    this.yaw = -0.6;
+    this.yaw = this.broadside();
     this.pitch = 0.32;
     this.zoom = 1;
     this.shift = [0, 0];
+  }
+
+  /** The turn that shows the well from its side, a little from above its way. */
+  broadside() {
+    const base = array("view/base");
+    const [north, east] = [0, 1].map((c) => base[base.length - 3 + c] - base[c]);
+    return Math.hypot(north, east) > 0.1 * this.box.size ? Math.atan2(-north, east) + 0.35 : -0.6;
   }
 
   listen() {
