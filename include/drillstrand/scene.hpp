@@ -23,7 +23,8 @@ struct SceneFeatures {
 };
 
 /// Nodes of a string whose chords are as long as its segments and lie along the mean of the two
-/// directors: neither stretched nor, but for a little in a well, sheared.
+/// directors, neither stretched nor, but for a little in a well, sheared; or those of an
+/// equilibrium.
 struct InitialNodes {
     std::vector<Eigen::Vector3d> position;  ///< N+1 (m)
     std::vector<Eigen::Vector3d> director;  ///< N+1, d3
