@@ -357,7 +357,7 @@ TEST_F(Program, WhatIsNotAvailableYetIsRefusedInOneLine) {
         EXPECT_THAT(ending.err, is_one_error("not available in this version"));
     }
     const std::string help = run({"--help"}).out;
-    for (const char* word : {"report", "export", "study"})
+    for (const char* word : {"export", "study"})
         EXPECT_THAT(help, Not(HasSubstr(word)));
     EXPECT_THAT(run({"run", "--help"}).out, Not(HasSubstr("restart")));
 }
