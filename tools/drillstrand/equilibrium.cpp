@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -51,8 +52,13 @@ std::string motion_text(const Case& input, const SteadyMotion& motion) {
     return text;
 }
 
-std::string vector_text(const Eigen::Vector3d& v, double unit) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x() / unit, v.y() / unit, v.z() / unit);
+/// Of N or N m; less than a billionth is a rounding error.
+double kilo(double value) {
+    return std::abs(value) < 1e-9 ? 0.0 : value / 1e3;
+}
+
+std::string kilo_text(const Eigen::Vector3d& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", kilo(v.x()), kilo(v.y()), kilo(v.z()));
 }
 
 void print_contact(const Scene& scene, const Equilibrium& found) {
@@ -76,14 +82,14 @@ void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium&
                        const SteadyMotion& motion, double seconds) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
     line("motion", "{}", motion_text(input, motion));
-    line("hook load", "{:.9g} kN", found.hook_load / 1e3);
-    line("head torque", "{:.6g} kN m", found.surface_torque / 1e3);
+    line("hook load", "{:.9g} kN", kilo(found.hook_load));
+    line("head torque", "{:.6g} kN m", kilo(found.surface_torque));
     line("head stress", "{:.9g} kN axial, {:.6g} kN m twist, in the first segment",
-         found.series.head_stress[3] / 1e3, found.series.head_stress[0] / 1e3);
+         kilo(found.series.head_stress[3]), kilo(found.series.head_stress[0]));
     line("bit stress", "{:.9g} kN axial, {:.6g} kN m twist, in the last segment",
-         found.series.bit_stress[3] / 1e3, found.series.bit_stress[0] / 1e3);
-    line("bit load", "{} kN, {} kN m (north, east, down)", vector_text(found.bit_force, 1e3),
-         vector_text(found.bit_couple, 1e3));
+         kilo(found.series.bit_stress[3]), kilo(found.series.bit_stress[0]));
+    line("bit load", "{} kN, {} kN m (north, east, down)", kilo_text(found.bit_force),
+         kilo_text(found.bit_couple));
     const Eigen::Vector3d& bit = found.series.bit_position;
     line("bit position", "({:.9f}, {:.9f}, {:.9f}) m", bit.x(), bit.y(), bit.z());
     print_contact(scene, found);
