@@ -74,22 +74,6 @@ std::string json_texts(const std::vector<std::string>& texts) {
     return json_list(list);
 }
 
-/// Whether profiles follow a whirling node: at least eight in a turn of the top at its fastest.
-bool is_orbit_resolved(const Result& result) {
-    if (result.profiles.size() < 2) return false;
-    double fastest = 0;
-    for (const SeriesRecord& record : result.series)
-        fastest = std::max(fastest, std::abs(record.head_rotation_rate));
-    const double interval = result.profiles[1].time - result.profiles[0].time;
-    return fastest * interval < 6.283 / 8;
-}
-
-std::string orbit_note(const Result& result) {
-    if (is_orbit_resolved(result) || result.profiles.size() < 2) return "";
-    return "The profiles of this run are too far apart in time to follow it round; "
-           "--set output.profile_interval=0.05 brings them closer.";
-}
-
 std::string made_by(const ReportOptions& options, const Result& result) {
     return fmt::format("{}, made by drillstrand {} ({})", options.result.filename().string(),
                        result.version, result.commit);
@@ -110,8 +94,6 @@ std::string metadata_of(const ReportOptions& options, const Result& result, bool
                         {"case_text", json_text(result.header.case_text)},
                         {"well", boolean(result.header.well.has_value())},
                         {"has_time_error", boolean(result.footer.statistics.time_error > 0)},
-                        {"orbit_is_resolved", boolean(is_orbit_resolved(result))},
-                        {"orbit_note", json_text(orbit_note(result))},
                         {"dense_start", json_number(uniform.start)},
                         {"dense_interval", json_number(uniform.interval)},
                         {"follow", live ? std::to_string(follow_period.count()) : "null"},

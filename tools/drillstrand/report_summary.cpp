@@ -130,9 +130,9 @@ Items run_items(const Result& result) {
         plain("simulated", "Simulated", fmt::format("{:.6g} s", simulated_seconds(result))),
         plain("wall", "Wall time", duration_text(footer.wall_seconds))};
     if (footer.wall_seconds > 0)
-        items.push_back(plain("speed", "Speed",
-                              fmt::format("{:.3g} simulated s per s",
-                                          simulated_seconds(result) / footer.wall_seconds)));
+        items.push_back(plain(
+            "speed", "Speed",
+            fmt::format("{:.3g} × real time", simulated_seconds(result) / footer.wall_seconds)));
     items.push_back(
         plain("steps", "Steps", fmt::format("{} ({} rejected)", steps.steps, steps.rejected)));
     if (steps.largest_step > 0)

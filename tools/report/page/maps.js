@@ -3,7 +3,7 @@
 function addMaps() {
   if (!hasProfiles() || frameCount() < 2) return;
   const section = addSection("maps", "Along the string, over time",
-    "Depth is measured along the string from its head. In the map of spin, stick-slip shows as stripes: dark where the string stands. Colours end where 99 % of the values lie.");
+    "Depth is measured along the string from its head. In the map of spin, stick-slip shows as stripes: dark where the string stands. Colours end where 99 % of the values lie.", "Maps");
   const fields = availableFields();
   for (const [name, title] of [["side", "Side force"], ["bending", fields.bending.title], ["spin", "Spin"]]) {
     const field = fields[name];

@@ -1,9 +1,19 @@
 // The way of one node's axis in the plane across the well.
 
+/** Whether the profiles follow a node that goes round with the top: eight or more in a turn. */
+function isOrbitResolved() {
+  const time = array("profiles/time");
+  if (time.length < 2 || !has("series/time")) return true;
+  const [slowest, fastest] = extremes(series("head_rate"));
+  return (Math.max(fastest, -slowest) * (time[1] - time[0])) / (2 * Math.PI) <= 1 / 8;
+}
+
 function addOrbit() {
   if (!metadata.well || !hasProfiles() || !has("view/clearance")) return;
   const section = addSection("orbit", "Whirl",
-    "The way of the pipe's axis across the well at one place, seen down the hole, within the circle that the wall leaves it (dashed; outside it the pipe presses into the wall). " + metadata.orbit_note);
+    "The way of the pipe's axis across the well at one place, seen down the hole, within the circle that the wall leaves it (dashed; outside it the pipe presses into the wall). " + (isOrbitResolved() ? "" :
+      "The profiles drawn here are too far apart in time to follow a node that goes round with the string: points without a line. " +
+      "A short run with output.profile_interval = 0.02 shows its way."));
   const node = { index: Math.max(0, array("mesh/node_s").length - 2) };
   const output = element("output", { id: "orbit-depth" });
   const slider = element("input", { type: "range", id: "orbit-node", min: 0, max: array("mesh/node_s").length - 1, step: 1,
@@ -46,11 +56,11 @@ function orbitPlot(index) {
   const time = Array.from(array("profiles/time"));
   const traces = [
     { type: "scatter", mode: "lines", name: "clearance", x: circle.map((angle) => radius * Math.cos(angle)),
-      y: circle.map((angle) => radius * Math.sin(angle)), line: { width: 1.5, color: colour("wall"), dash: "dash" }, hoverinfo: "skip" },
-    { type: "scatter", mode: metadata.orbit_is_resolved ? "lines+markers" : "markers", name: "axis of the pipe",
+      y: circle.map((angle) => radius * Math.sin(angle)), line: { width: 1.5, color: colour("ink"), dash: "dash" }, hoverinfo: "skip" },
+    { type: "scatter", mode: isOrbitResolved() ? "lines+markers" : "markers", name: "axis of the pipe",
       x: points.map((point) => point[0]), y: points.map((point) => point[1]), customdata: time,
-      line: { width: 0.8, color: colour("wall") },
-      marker: { size: 4, color: time, colorscale: "Cividis", showscale: true,
+      line: { width: 0.6, color: colour("wall") },
+      marker: { size: 3.5, color: time, colorscale: "Cividis", showscale: true,
         colorbar: { title: { text: "Time (s)", font: { size: 12, color: colour("soft") } }, thickness: 12, outlinewidth: 0, tickfont: { size: 11, color: colour("soft") } } },
       hovertemplate: `%{customdata:.6~g} s<extra></extra>` },
     { type: "scatter", mode: "markers", name: "now", x: [now[0]], y: [now[1]],

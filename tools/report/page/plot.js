@@ -19,13 +19,13 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** A section of the page, with its link in the contents. */
-function addSection(id, title, hint) {
+/** A section of the page, with its link in the contents, which may be shorter than its title. */
+function addSection(id, title, hint, short = title) {
   const section = element("section", { id });
   if (id !== "summary") section.append(element("h2", {}, title));
   if (hint) section.append(element("p", { class: "hint" }, hint));
   document.getElementById("main").append(section);
-  document.getElementById("contents").append(element("a", { href: `#${id}` }, title));
+  document.getElementById("contents").append(element("a", { href: `#${id}` }, short));
   return section;
 }
 
@@ -155,12 +155,12 @@ function timeLine(name, values, quantity, look = {}) {
   const points = envelope(look.time ?? array("series/time"), values);
   return {
     type: "scatter",
-    mode: points.x.length > 1 ? "lines" : "markers",
+    mode: points.x.length > 1 && !look.points ? "lines" : "markers",
     name,
     x: points.x,
     y: converted(points.y, quantity),
     line: { width: 1.4, color: lineColour(look.colour ?? 0), dash: look.dash ?? "solid" },
-    marker: { size: 6, color: lineColour(look.colour ?? 0) },
+    marker: { size: look.points ? 3 : 6, color: lineColour(look.colour ?? 0) },
     hovertemplate: hover(name, quantity),
     yaxis: look.axis ?? "y",
     showlegend: look.legend ?? true,
@@ -169,7 +169,7 @@ function timeLine(name, values, quantity, look = {}) {
 
 /**
  * Strips over one time axis, one under the other. Each has a title, a quantity and lines
- * { name, values, colour, dash, time }; a strip of one line needs no name beside its title.
+ * { name, values, colour, dash, points, time }; a strip of one line needs no name beside its title.
  */
 function stripPlot(strips, stripHeight = 150) {
   const gap = 34;
@@ -196,13 +196,14 @@ function stripPlot(strips, stripHeight = 150) {
       .filter((line) => line.name)
       .map((line) => `<span style="color:${lineColour(line.colour ?? 0)}">${line.name}</span>`);
     layout.annotations.push({
-      text: [`<b>${strip.title}</b>`, ...names].join("   "),
+      text: `<b>${strip.title}</b>${isNarrow() && names.length > 2 ? "<br>" : "   "}${names.join("   ")}`,
+      align: "left",
       xref: "paper", yref: "paper", x: 0, y: top, xanchor: "left", yanchor: "bottom",
       showarrow: false, font: { size: 12.5 },
     });
     for (const line of strip.lines)
       traces.push(timeLine(line.name || strip.title, line.values, strip.quantity,
-        { colour: line.colour, dash: line.dash, time: line.time, axis: `y${suffix}` }));
+        { colour: line.colour, dash: line.dash, points: line.points, time: line.time, axis: `y${suffix}` }));
   });
   layout.xaxis = { ...axisStyle("Time (s)"), anchor: `y${strips.length > 1 ? strips.length : ""}` };
   return { traces, layout };

@@ -70,7 +70,7 @@ function addSpectrum() {
   const size = windowSize(count);
   if (count < 2 * size) return;
   const section = addSection("spectrum", "Torque over frequency",
-    `Amplitude of the torque in windows of ${digits(size * interval, 3)} s (Hann). The line is the rate of rotation of the top.`);
+    `Amplitude of the torque in windows of ${digits(size * interval, 3)} s (Hann). The line is the rate of rotation of the top.`, "Spectrum");
   const choose = element("select", { id: "spectrum-channel", onchange: () => update() },
     element("option", { value: "head_torque" }, "Torque at the surface"),
     element("option", { value: "bit_torque" }, "Torque at the bit"));

@@ -7,7 +7,7 @@ function measuredLines(channel) {
   return (metadata.measured ?? [])
     .filter((measured) => measured.channel === channel)
     .map((measured) => ({
-      name: "measured", values: array(`measured/${channel}`), time: array("measured/time"), colour: 4,
+      name: "measured", values: array(`measured/${channel}`), time: array("measured/time"), colour: 4, points: true,
     }));
 }
 
@@ -19,7 +19,7 @@ function addTraces() {
   addPlot(section, "traces", () => {
     const head = (k) => series("head_stress", k);
     const bit = (k) => series("bit_stress", k);
-    return stripPlot([
+    const plot = stripPlot([
       { title: "Hook load", quantity: "force",
         lines: [{ name: metadata.measured ? "simulated" : "", values: head(3) }, ...measuredLines("hook_load")] },
       { title: "Weight on bit", quantity: "force", lines: [{ name: "", values: negative(bit(3)), colour: 1 }] },
@@ -31,6 +31,9 @@ function addTraces() {
           { name: "of the top", values: series("head_rate") }] },
       { title: "Travel of the bit", quantity: "small", lines: [{ name: "", values: series("bit_travel"), colour: 1 }] },
     ]);
+    // A rig's record may be much longer than the run.
+    if (metadata.measured) plot.layout.xaxis.range = extremes(array("series/time"));
+    return plot;
   });
 }
 

@@ -163,7 +163,7 @@ class View {
       w = Math.max(w, Math.abs(x));
       h = Math.max(h, Math.abs(y));
     }
-    const room = isNarrow() ? 46 : 64;
+    const room = 64;
     const scale = this.zoom * Math.min((this.width / 2 - room) / w, (this.height / 2 - 40) / h);
     this.project = (x, y, z) => {
       const [right, downward] = turned(x, y, z);
@@ -221,7 +221,7 @@ class View {
     const title = titled(name, "length");
     if (c === 2) {
       context.save();
-      context.translate(start[0] - (isNarrow() ? 34 : 46), centre[1]);
+      context.translate(start[0] - 46, centre[1]);
       context.rotate(-Math.PI / 2);
       context.textAlign = "center";
       context.fillText(title, 0, 0);
@@ -299,7 +299,7 @@ function addView() {
     (metadata.well
       ? "The well to scale, the position of the pipe across it magnified. The tube is the room that the pipe's axis has between the walls. "
       : "Motion since the first profile, magnified. ") +
-    "Drag to turn, shift and drag to move, control and wheel to zoom.");
+    "Drag to turn, shift and drag to move, control and wheel to zoom.", "3-D");
   const fields = availableFields();
   const canvas = element("canvas", { id: "plot-view", tabindex: 0, role: "img", "aria-label": "Well and string in three dimensions" });
   const rampBar = element("div", { class: "ramp" });
