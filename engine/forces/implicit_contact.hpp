@@ -80,7 +80,8 @@ DRILLSTRAND_INLINE Tangential return_to_cone(const Tangential& b, const Tangenti
         const double n2 = w_l2 * t * t + w_t2 * l * l;
         const double slope = w_l2 * t * t * t + w_t2 * l * l * l;
         const double miss = std::sqrt(n2) * inverse_limit - l * t;
-        const double corrected = lambda + n2 * miss / (slope > 0.0 ? slope : 1.0);
+        // the quotient does not wait for the root
+        const double corrected = lambda + n2 / (slope > 0.0 ? slope : 1.0) * miss;
         lambda = corrected > 0.0 ? corrected : 0.0;
     }
     const double f_l = w_l * (a.azimuthal + lambda);

@@ -82,12 +82,12 @@ class Surroundings {
     /// Friction springs of a block after the surface points slipped for dt (s).
     void advance_springs(double dt, std::size_t block);
 
-    /// Moves the nodes of a block whose foot has left their arc (row `leaves`) to the arc that
+    /// Moves the nodes of a span whose foot has left their arc (row `leaves`) to the arc that
     /// holds it. `position(k)` gives the node's position.
     template <class Position>
-    void refresh_arcs(std::size_t block, const Position& position) {
-        const std::size_t end = std::min((block + 1) * block_size, arc_.size());
-        for (std::size_t k = block * block_size; k < end; ++k) {
+    void refresh_arcs(BlockSpan span, const Position& position) {
+        const std::size_t end = std::min(span.end * block_size, arc_.size());
+        for (std::size_t k = span.begin * block_size; k < end; ++k) {
             if (table_.row(leaves)[k] > 0.5) enter_arc(k, well_->find_arc(position(k), arc_[k]));
         }
     }

@@ -25,6 +25,10 @@ DRILLSTRAND_INLINE Triple combine(double a, const Triple& u, double b, const Tri
     return {a * u.x + b * v.x, a * u.y + b * v.y, a * u.z + b * v.z};
 }
 
+DRILLSTRAND_INLINE Triple scaled(double a, const Triple& v) {
+    return {a * v.x, a * v.y, a * v.z};
+}
+
 inline Triple triple(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }

@@ -380,7 +380,7 @@ void DormandPrince::accept(Worker& worker, double step) {
 /// is brought up to date in place and serves as the first one of the next step.
 void DormandPrince::follow_surroundings(Worker& worker, std::size_t block, double step) {
     surroundings_.advance_springs(step, block);
-    surroundings_.refresh_arcs(block, [&](std::size_t node) {
+    surroundings_.refresh_arcs({block, block + 1}, [&](std::size_t node) {
         return node_pose(work_, worker.block_start, node).position;
     });
     BlockTable& rate = *worker.rate.back();

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,11 @@ void write(BlockTable& table, std::size_t row, std::ptrdiff_t k, const Eigen::Ve
 
 constexpr std::int64_t steps_between_guards = 16;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+
+double wall_time() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
 
 /// Force and couple of the outside on an end of the rod, as the segment beyond it would exert them.
 void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vector3d& pull,
@@ -61,7 +67,9 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stre
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
       time_error_(tolerance, negligible_energy(scene)),
       blocks_(blocks_for(model_.segments + 1)),
-      block_outflow_(blocks_, 0.0) {
+      spans_(equal_spans(blocks_)),
+      span_outflow_(spans_.size(), 0.0),
+      team_(std::min(threads, static_cast<int>(spans_.size()))) {
     const std::size_t nodes = model_.segments + 1;
     for (BlockTable& state : states_) {
         state = BlockTable(director_rows, nodes);
@@ -80,7 +88,7 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stre
     head_frame_.d1 = scene.head_frame.col(1);
     state.row(spin)[0] = scene.head.motion == HeadMotion::driven ? scene.head.rotation(0.0) : 0.0;
 
-    workers_.resize(static_cast<std::size_t>(threads));
+    workers_.resize(static_cast<std::size_t>(team_.members()));
     for (Worker& worker : workers_) {
         worker.segments = BlockTable(SegmentRow::rows, nodes);
         std::copy(initial.twist.begin(), initial.twist.end(),
@@ -114,42 +122,55 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
             course_ = {time_, end, static_cast<std::int64_t>(std::max(wanted, 1.0)), 0};
         }
         take(std::min({course_.steps - course_.done, last - statistics_.steps,
-                       time_error_.due() - statistics_.steps}));
+                       time_error_.due() - statistics_.steps, team_.longest_piece(wall_time())}));
     }
 }
 
-/// Advances by steps of the present course.
+/// Advances by steps of the present course; by fewer where the team parts before.
 void Leapfrog::take(std::int64_t steps) {
     const double dt = course_.step();
-#pragma omp parallel num_threads(static_cast <int>(workers_.size()))
+    const double start = wall_time();
+    const double waited_before = meeting_.barrier.waited();
+    meeting_.last_step = steps - 1;
+    int threads = team_.size(start);
+#pragma omp parallel num_threads(threads)
     {
         // the team may be smaller than asked for
-        const int threads = omp_get_num_threads();
 #pragma omp single
-        meeting_.barrier.set_threads(threads);
-        run(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(threads), dt,
-            steps);
+        {
+            threads = omp_get_num_threads();
+            meeting_.barrier.set_threads(threads);
+            meeting_.start = start;
+            meeting_.waited_before = waited_before;
+        }
+        run(static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(threads), dt);
     }
-    // twist is state: every worker gets all of it
+    if (threads > 1) team_.worked(start, wall_time(), meeting_.barrier.waited() - waited_before);
+    share_twist(static_cast<std::size_t>(threads));
+    if (meeting_.fault_step != Meeting::no_fault) fail();
+    const std::int64_t done = meeting_.last_step + 1;
+    current_ = (current_ + static_cast<std::size_t>(done)) % 2;
+    course_.done += done;
+    time_ = course_.time(course_.done);
+    last_drift_ = dt;
+    statistics_.steps += done;
+    statistics_.evaluations += done;
+    statistics_.smallest_step = std::min(statistics_.smallest_step, dt);
+    statistics_.largest_step = std::max(statistics_.largest_step, dt);
+}
+
+/// Twist is state: every worker gets all of it from those that have worked.
+void Leapfrog::share_twist(std::size_t threads) {
     double* whole = workers_.front().segments.row(SegmentRow::twist);
-    for (const Worker& worker : workers_) {
+    for (std::size_t i = 1; i < threads; ++i) {
+        const Worker& worker = workers_[i];
         const double* own = worker.segments.row(SegmentRow::twist);
         std::copy(own + worker.begin * block_size, own + worker.end * block_size,
                   whole + worker.begin * block_size);
     }
-    for (Worker& worker : workers_) {
-        double* own = worker.segments.row(SegmentRow::twist);
-        if (own != whole) std::copy(whole, whole + blocks_ * block_size, own);
+    for (std::size_t i = 1; i < workers_.size(); ++i) {
+        std::copy(whole, whole + blocks_ * block_size, workers_[i].segments.row(SegmentRow::twist));
     }
-    if (meeting_.fault_step != Meeting::no_fault) fail();
-    current_ = (current_ + static_cast<std::size_t>(steps)) % 2;
-    course_.done += steps;
-    time_ = course_.time(course_.done);
-    last_drift_ = dt;
-    statistics_.steps += steps;
-    statistics_.evaluations += steps;
-    statistics_.smallest_step = std::min(statistics_.smallest_step, dt);
-    statistics_.largest_step = std::max(statistics_.largest_step, dt);
 }
 
 /// Repeats the steps to come from here, in the steps of the run and in halves of them. A window in
@@ -191,21 +212,25 @@ void Leapfrog::start_again() {
 }
 
 /// The time loop: one barrier a step.
-void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps) {
+void Leapfrog::run(std::size_t thread, std::size_t threads, double dt) {
     Worker& worker = workers_[thread];
-    worker.begin = blocks_ * thread / threads;
-    worker.end = blocks_ * (thread + 1) / threads;
+    worker.first_span = spans_.size() * thread / threads;
+    worker.end_span = spans_.size() * (thread + 1) / threads;
+    worker.begin = spans_[worker.first_span].begin;
+    worker.end = spans_[worker.end_span - 1].end;
     meeting_.barrier.wait();
     std::size_t current = current_;
     Step step{time_, last_drift_, dt, 0.5 * (last_drift_ + dt)};
-    for (std::int64_t i = 0; i < steps; ++i) {
+    for (std::int64_t i = 0;; ++i) {
         bool sound =
-            step_blocks(worker, surroundings_, states_[current], states_[1 - current], step);
+            step_spans(worker, surroundings_, states_[current], states_[1 - current], step);
         if ((statistics_.steps + i) % steps_between_guards == 0)
             sound = keep_guard(worker, states_[current], step.time) && sound;
         if (!sound) meeting_.fault_step.store(i, std::memory_order_relaxed);
+        if (thread == 0 && team_should_part() && i < meeting_.last_step) meeting_.last_step = i;
         meeting_.barrier.wait();
         if (meeting_.fault_step.load(std::memory_order_relaxed) <= i) break;
+        if (meeting_.last_step.load(std::memory_order_relaxed) <= i) break;
         current = 1 - current;
         step.time = course_.time(course_.done + i + 1);
         step.last_drift = dt;
@@ -214,31 +239,39 @@ void Leapfrog::run(std::size_t thread, std::size_t threads, double dt, std::int6
     meeting_.barrier.wait();
 }
 
-/// One step of a worker's blocks: forces at the whole step, velocities and poses to the next.
+/// Whether the members of the team wait for each other longer than their help is worth.
+bool Leapfrog::team_should_part() const {
+    const double waited = meeting_.barrier.waited() - meeting_.waited_before;
+    return waited > 0 && team_.waits_too_long(meeting_.start, wall_time(), waited);
+}
+
+/// One step of a worker's spans: forces at the whole step, velocities and poses to the next.
 /// Whether all velocities are numbers.
-bool Leapfrog::step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
-                           BlockTable& next, const Step& step) {
+bool Leapfrog::step_spans(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+                          BlockTable& next, const Step& step) {
     BlockTable& segments = worker.segments;
     bool sound = true;
     if (worker.begin > 0)
-        director_segments(model_, state, segments, worker.begin - 1, step.last_drift);
+        director_segments(model_, state, segments, {worker.begin - 1, worker.begin},
+                          step.last_drift);
     if (worker.begin == 0) load_head(segments, state, step.time);
-    for (std::size_t block = worker.begin; block < worker.end; ++block) {
-        director_segments(model_, state, segments, block, step.last_drift);
-        if (block + 1 == blocks_) load_bit(segments, state, step.time);
-        const NodeStep done = director_nodes(model_, state, next, segments, surroundings, block,
+    for (std::size_t i = worker.first_span; i < worker.end_span; ++i) {
+        const BlockSpan span = spans_[i];
+        director_segments(model_, state, segments, span, step.last_drift);
+        if (span.end == blocks_) load_bit(segments, state, step.time);
+        const NodeStep done = director_nodes(model_, state, next, segments, surroundings, span,
                                              step.kick, step.drift);
-        block_outflow_[block] += done.outflow;
+        span_outflow_[i] += done.outflow;
         worker.impacts += done.impacts;
         worker.slips += done.slips;
         if (done.leavers > 0) {
             surroundings.refresh_arcs(
-                block, [&](std::size_t node) { return read(state, position, node); });
+                span, [&](std::size_t node) { return read(state, position, node); });
         }
         if (done.faults > 0) sound = false;
     }
     if (worker.begin == 0) finish_head(segments, state, next, step);
-    if (worker.end == blocks_ && worker.begin < blocks_) finish_bit(segments, state, next, step);
+    if (worker.end == blocks_) finish_bit(segments, state, next, step);
     return sound;
 }
 
@@ -408,13 +441,13 @@ Vector6 Leapfrog::stress(std::size_t k, const BlockTable& state, const BlockTabl
 Leapfrog::Snapshot Leapfrog::snapshot() const {
     const BlockTable& state = states_[current_];
     Snapshot at{state, workers_.front().segments, surroundings_, {}, {}, 0, 0};
-    for (std::size_t block = 0; block < blocks_; ++block)
-        director_segments(model_, state, at.segments, block, last_drift_);
+    for (const BlockSpan span : spans_)
+        director_segments(model_, state, at.segments, span, last_drift_);
     load_head(at.segments, state, time_);
     load_bit(at.segments, state, time_);
-    for (std::size_t block = 0; block < blocks_; ++block) {
+    for (const BlockSpan span : spans_) {
         const NodeStep done = director_nodes(model_, state, at.state, at.segments, at.surroundings,
-                                             block, 0.5 * last_drift_, 0.0);
+                                             span, 0.5 * last_drift_, 0.0);
         at.impacts += done.impacts;
         at.slips += done.slips;
     }
@@ -475,7 +508,7 @@ SeriesRecord Leapfrog::series() const {
     energy.dissipation = initial_spring_energy_ - spring_energy;
     double impacts = at.impacts;
     double slips = at.slips;
-    for (const double outflow : block_outflow_)
+    for (const double outflow : span_outflow_)
         energy.dissipation += outflow;
     for (const Worker& worker : workers_) {
         impacts += worker.impacts;

@@ -14,6 +14,7 @@
 #include "integrators/time_error.hpp"
 #include "numerics/barrier.hpp"
 #include "numerics/block_table.hpp"
+#include "numerics/team.hpp"
 #include "rod/director.hpp"
 #include "rod/pose.hpp"
 
@@ -29,15 +30,17 @@ class Leapfrog final : public Integrator {
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
     [[nodiscard]] StepStatistics statistics() const override;
-    [[nodiscard]] int threads() const override { return static_cast<int>(workers_.size()); }
+    [[nodiscard]] int threads() const override { return team_.members(); }
     [[nodiscard]] std::vector<std::string> warnings() const override;
 
   private:
     /// A thread's share of the work. Each thread keeps its own segments, the block before its first
     /// one included: computed twice rather than waited for.
     struct Worker {
-        std::size_t begin = 0;  ///< first block
-        std::size_t end = 0;    ///< one past the last block
+        std::size_t first_span = 0;
+        std::size_t end_span = 0;  ///< one past the last
+        std::size_t begin = 0;     ///< first block
+        std::size_t end = 0;       ///< one past the last block
         BlockTable segments;
         double impacts = 0;
         double slips = 0;
@@ -48,6 +51,11 @@ class Leapfrog final : public Integrator {
     struct Meeting {
         static constexpr std::int64_t no_fault = std::numeric_limits<std::int64_t>::max();
         Barrier barrier{1};
+        /// The last step to take before all meet again outside; brought forward where the members
+        /// of the team wait for each other too long.
+        std::atomic<std::int64_t> last_step{0};
+        double start = 0;          ///< wall time at which the team began (s)
+        double waited_before = 0;  ///< of the barrier (s)
         /// The step of this advance() that failed. Workers compare it with their own: one that is
         /// a step ahead must not stop those who still finish the step before.
         std::atomic<std::int64_t> fault_step{no_fault};
@@ -84,9 +92,11 @@ class Leapfrog final : public Integrator {
     void take(std::int64_t steps);
     void sample_time_error();
     void start_again();
-    void run(std::size_t thread, std::size_t threads, double dt, std::int64_t steps);
-    bool step_blocks(Worker& worker, Surroundings& surroundings, const BlockTable& state,
-                     BlockTable& next, const Step& step);
+    void run(std::size_t thread, std::size_t threads, double dt);
+    [[nodiscard]] bool team_should_part() const;
+    void share_twist(std::size_t threads);
+    bool step_spans(Worker& worker, Surroundings& surroundings, const BlockTable& state,
+                    BlockTable& next, const Step& step);
     [[nodiscard]] bool keep_guard(Worker& worker, const BlockTable& state, double time) const;
     [[noreturn]] void fail() const;
     void load_head(BlockTable& segments, const BlockTable& state, double time) const;
@@ -126,9 +136,11 @@ class Leapfrog final : public Integrator {
     double bound_;  ///< cfl times the stability bound (s)
     TimeErrorControl time_error_;
     std::size_t blocks_;
-    std::vector<double> block_outflow_;  ///< per block, energy given to its surroundings (J)
+    std::vector<BlockSpan> spans_;
+    std::vector<double> span_outflow_;  ///< per span, energy given to its surroundings (J)
     BlockTable states_[2];
     std::size_t current_ = 0;  ///< which of the two states is that of the last whole step
+    Team team_;
     std::vector<Worker> workers_;
     EndFrame head_frame_;
     EndFrame bit_frame_;

@@ -28,4 +28,13 @@ void BlockTable::fill(std::size_t i, double value) {
     std::fill_n(row(i) - block_size, (blocks_ + 2) * block_size, value);
 }
 
+std::vector<BlockSpan> equal_spans(std::size_t blocks) {
+    const std::size_t pairs = (blocks + 2 * most_blocks_at_once - 1) / (2 * most_blocks_at_once);
+    const std::size_t count = std::min(blocks, 2 * pairs);
+    std::vector<BlockSpan> spans;
+    for (std::size_t i = 0; i < count; ++i)
+        spans.push_back({blocks * i / count, blocks * (i + 1) / count});
+    return spans;
+}
+
 }  // namespace drillstrand

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <vector>
 
 namespace drillstrand {
 
@@ -18,6 +19,20 @@ inline constexpr std::size_t block_alignment = 64;  ///< bytes: one cache line
 constexpr std::size_t blocks_for(std::size_t count) {
     return (count + block_size - 1) / block_size;
 }
+
+/// Neighbouring blocks, `begin` to the one before `end`, that a kernel takes in one go: what is
+/// done once per call costs less per entry, and where an entry waits for a root or a quotient the
+/// processor works on others.
+struct BlockSpan {
+    std::size_t begin, end;
+    [[nodiscard]] std::size_t entries() const { return (end - begin) * block_size; }
+};
+inline constexpr std::size_t most_blocks_at_once = 4;  ///< in the first-level cache
+
+/// Spans that hold so many blocks: equally many each but for one, and an even number of spans where
+/// there are several blocks, so that two threads share them evenly. They depend on nothing else:
+/// with them, no result depends on the number of threads.
+std::vector<BlockSpan> equal_spans(std::size_t blocks);
 
 /// Rows of doubles in one allocation, all of the same length. Each row has a block of padding
 /// before and after, so that neighbours of the first and last entry can be read. Rows are an odd
@@ -38,10 +53,13 @@ class BlockTable {
     [[nodiscard]] std::size_t rows() const { return rows_; }
     [[nodiscard]] std::size_t blocks() const { return blocks_; }
 
-    /// Entry 0 of a row; indices -block_size .. (blocks() + 1) * block_size - 1 exist.
-    [[nodiscard]] double* row(std::size_t i) { return storage_.get() + i * stride() + block_size; }
+    /// Entry 0 of a row, at a multiple of block_alignment; indices -block_size ..
+    /// (blocks() + 1) * block_size - 1 exist.
+    [[nodiscard]] double* row(std::size_t i) {
+        return std::assume_aligned<block_alignment>(storage_.get() + i * stride() + block_size);
+    }
     [[nodiscard]] const double* row(std::size_t i) const {
-        return storage_.get() + i * stride() + block_size;
+        return std::assume_aligned<block_alignment>(storage_.get() + i * stride() + block_size);
     }
 
     /// Sets every entry of a row, padding included.

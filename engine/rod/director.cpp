@@ -88,9 +88,10 @@ DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
 }
 
 template <Damping damping, bool curved>
-DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const BlockTable& state,
-                                          BlockTable& segments, std::size_t block, double drift) {
-    const auto first = static_cast<std::ptrdiff_t>(block * block_size);
+DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const BlockTable& state,
+                                         BlockTable& segments, BlockSpan span, double drift) {
+    const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
+    const std::size_t count = span.entries();
     const Constants& c = model.constants;
     const ConstRows x_a = rows_at(state, position, first);
     const ConstRows x_b = rows_at(state, position, first + 1);
@@ -140,8 +141,8 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
         // stretch and shear: D = dx / h, mean director m, g = D . m, sh = D - g m
         const Triple d = combine(ih, x_b[k], -ih, x_a[k]);
         const double cosine = dot(ta, tb);
-        const double both = std::sqrt(2.0 + 2.0 * cosine);  // |t_k + t_k+1|
-        const double inverse_both = 1.0 / both;
+        const double inverse_one = 1.0 / (1.0 + cosine);
+        const double inverse_both = std::sqrt(0.5 * inverse_one);  // 1 / |t_k + t_k+1|
         const Triple m = combine(inverse_both, ta, inverse_both, tb);
         const double g = dot(d, m);
         const Triple sh = combine(1.0, d, -g, m);
@@ -151,12 +152,10 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
 
         // bending: kb = (b / sin b) (t_k x t_k+1) / h, from tan(b/2) = |t x t| / (1 + cos b)
         const Triple a = cross(ta, tb);
-        const double inverse_one = 1.0 / (1.0 + cosine);
         const double half_tangent2 = dot(a, a) * inverse_one * inverse_one;
         const double factor = 2.0 * arctangent_ratio(half_tangent2) * inverse_one;
         const double bend = factor * ih;
-        Triple bending_moment = {bending[k] * bend * a.x, bending[k] * bend * a.y,
-                                 bending[k] * bend * a.z};
+        Triple bending_moment = scaled(bending[k] * bend, a);
 
         // twist: h tau += dt (s_k+1 - s_k) + swept area; torque about e = (t_k + t_k+1)/(1 + cos b)
         twist[k] +=
@@ -198,8 +197,8 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
             const Triple g_rate =
                 combine(1.0, combine(ih, v_b[k], -ih, v_a[k]), -1.0, cross(mean, d));
             const Triple k_rate = combine(ih, wb, -ih, wa);
-            drag_force.set(k, combine(internal_damping, g_rate, 0.0, g_rate));
-            drag_couple.set(k, combine(internal_damping, k_rate, 0.0, k_rate));
+            drag_force.set(k, scaled(internal_damping, g_rate));
+            drag_couple.set(k, scaled(internal_damping, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
                 const double g_along = dot(g_rate, m);
                 const double stretching = kelvin_voigt * axial[k] * g_along;
@@ -208,7 +207,7 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
                 const Triple along_both = combine(1.0, ta, 1.0, tb);
                 const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
                 viscous_pull.set(k, n_rate);
-                viscous_lean.set(k, combine(0.5 * h, cross(d, n_rate), 0.0, n_rate));
+                viscous_lean.set(k, scaled(0.5 * h, cross(d, n_rate)));
                 viscous_couple.set(k, combine(kelvin_voigt * bending[k], without(k_rate, m),
                                               twisting * inverse_one, along_both));
                 viscous_torque[k] = twisting;
@@ -218,10 +217,10 @@ DRILLSTRAND_KERNEL void segments_of_block(const DirectorModel& model, const Bloc
         pull.set(k, n);
         couple.set(k, combine(1.0, bending_moment, t, combine(1.0, ta, 1.0, tb)));
         torque_out[k] = torque;
-        lean.set(k, combine(w, sh, 0.0, sh));
+        lean.set(k, scaled(w, sh));
     };
 #pragma omp simd
-    for (std::size_t k = 0; k < block_size; ++k)
+    for (std::size_t k = 0; k < count; ++k)
         segment(k);
 }
 
@@ -239,11 +238,13 @@ constexpr bool has_paper_law(Around around) {
 }
 
 template <Around around, Damping damping, bool curved>
-DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const BlockTable& state,
-                                           BlockTable& next, const BlockTable& segments,
-                                           Surroundings& surroundings, std::size_t block,
-                                           double kick, double drift) {
-    const auto first = static_cast<std::ptrdiff_t>(block * block_size);
+DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const BlockTable& state,
+                                          BlockTable& next, const BlockTable& segments,
+                                          Surroundings& surroundings, BlockSpan span, double kick,
+                                          double drift) {
+    const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
+    const std::size_t count = span.entries();
+    if (count == 0) return {};  // or the compiler would keep scalar loops for it
     const Constants& c = model.constants;
     const ConstRows x_in = rows_at(state, position, first);
     const ConstRows v_in = rows_at(state, velocity, first);
@@ -319,7 +320,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     const double eccentric_axial = p.eccentric_axial_drag ? 1.0 : 0.0;
 
     // between the loops of a block in a well: velocities and the well frame
-    alignas(block_alignment) double hold[18][block_size];
+    alignas(block_alignment) double hold[18][most_blocks_at_once * block_size];
     const Rows v_held = {hold[0], hold[1], hold[2]};
     const Rows v_rod_held = {hold[3], hold[4], hold[5]};
     const Rows r_held = {hold[6], hold[7], hold[8]};
@@ -345,11 +346,13 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
     /// surroundings is theirs times the mean of the velocities of both half steps.
     const auto move = [&](std::size_t k, const Triple& v, const Triple& v_rod, double s,
                           double s_rod) DRILLSTRAND_LAMBDA {
-        const double work =
-            mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
-            polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s);
         NodeStep done;
-        done.outflow = -mobile_cell[k] * work;
+        if constexpr (wall || damping != Damping::none) {
+            const double work =
+                mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
+                polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s);
+            done.outflow = -mobile_cell[k] * work;
+        }
         done.faults = mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
         x_out.set(k, combine(1.0, x_in[k], drift, v));
         v_out.set(k, v);
@@ -412,7 +415,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
 
         const Triple v_rod = v;
         const double s_rod = s;
-        double turning_work = 0.0;
+        NodeStep done;
         if constexpr (damping != Damping::none) {
             // Kelvin-Voigt and D_in with the rates of the last half step, D_ex implicit. D_in moves
             // momentum toward the bit: rates of the segment on the head's side, since the mean of
@@ -420,8 +423,8 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             const Triple w_rod = w;
             const Triple dragged = drag_force_before[k];
             const Triple turned = drag_couple_before[k];
-            Triple resisting = combine(-1.0, turned, 0.0, turned);
-            Triple pulling = combine(-1.0, dragged, 0.0, dragged);
+            Triple resisting = scaled(-1.0, turned);
+            Triple pulling = scaled(-1.0, dragged);
             double twisting = -dot(turned, t);
             if constexpr (damping == Damping::kelvin_voigt) {
                 const Triple bending =
@@ -436,31 +439,32 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             v = combine(1.0, v, to_velocity, pulling);
             w = combine(1.0, w, to_turning, without(resisting, t));
             s += to_spin * twisting;
-            v = combine(1.0 / (1.0 + to_velocity * external_damping), v, 0.0, v);
-            w = combine(1.0 / (1.0 + to_turning * external_damping), w, 0.0, w);
+            v = scaled(1.0 / (1.0 + to_velocity * external_damping), v);
+            w = scaled(1.0 / (1.0 + to_turning * external_damping), w);
             s *= 1.0 / (1.0 + to_spin * external_damping);
-            turning_work =
+            const double work =
                 transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, w_in[k], 0.5, w));
+            done.outflow = -mobile_cell[k] * work;
         }
+        done.faults = mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
         turn(k, w);
-        NodeStep done;
         if constexpr (wall) {
             v_held.set(k, v);
             s_held[k] = s;
             s_rod_held[k] = s_rod;
             if constexpr (damping != Damping::none) v_rod_held.set(k, v_rod);
         } else {
-            done = move(k, v, v_rod, s, s_rod);
+            const NodeStep moved = move(k, v, v_rod, s, s_rod);
+            done.outflow += moved.outflow;
+            done.faults += moved.faults;
         }
-        done.outflow -= mobile_cell[k] * turning_work;
-        done.faults += mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
         return done;
     };
 
     double outflow = 0.0;
     double faults = 0.0;
 #pragma omp simd reduction(+ : outflow, faults)
-    for (std::size_t k = 0; k < block_size; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         const NodeStep done = predict(k);
         outflow += done.outflow;
         faults += done.faults;
@@ -498,7 +502,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
         double touched = 0.0;
         double impacts = 0.0;
 #pragma omp simd reduction(+ : leavers, touching, touched, impacts)
-        for (std::size_t k = 0; k < block_size; ++k) {
+        for (std::size_t k = 0; k < count; ++k) {
             const Place place = surround(k);
             leavers += place.leaves;
             touching += place.touches;
@@ -506,36 +510,45 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
             impacts += place.impact;
         }
 
-        const auto touch = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        // pressing and rubbing in two loops: what waits for the one does not hold up the other
+        const auto press = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
+            const double approach = u_r[k] - circling_speed(eccentricity[k], u_t[k], kick);
+            const double normal = implicit_normal_force(depth[k], approach, stiffness[k],
+                                                        dashpot[k], least_normal, kick, mobility);
+            normal_out[k] = normal;
+            u_r[k] += mobility.translation * normal;
+        };
+        const auto rub = [&](std::size_t k) DRILLSTRAND_LAMBDA {
             const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
             const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
             const double dr = depth[k];
-            const double approach = u.r - circling_speed(eccentricity[k], u.t, kick);
-            const double normal = implicit_normal_force(dr, approach, stiffness[k], dashpot[k],
-                                                        least_normal, kick, mobility);
+            const double normal = normal_out[k];
             const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
                                            sliding[k]};
-            const FrictionStep rub =
+            const FrictionStep done =
                 has_paper_law(around)
                     ? paper_step(spring, u, stiffness[k] * dr, dr, pipe[k], kick, mobility,
                                  friction)
                     : coulomb_step(spring, u, normal, dr, pipe[k], kick, mobility, friction);
-            const double slip = rub.spring.sliding > sliding[k] ? 1.0 : 0.0;
-            normal_out[k] = normal;
-            elongation_axial[k] = rub.spring.elongation.axial;
-            elongation_azimuthal[k] = rub.spring.elongation.azimuthal;
-            sliding[k] = rub.spring.sliding;
-            u_r[k] = u.r + mobility.translation * normal;
-            u_l[k] = u.l + mobility.translation * rub.force.axial;
-            u_t[k] = u.t + mobility.translation * rub.force.azimuthal;
-            s_held[k] = u.spin + mobility.rotation * pipe[k] * rub.force.azimuthal;
+            const double slip = done.spring.sliding > sliding[k] ? 1.0 : 0.0;
+            elongation_axial[k] = done.spring.elongation.axial;
+            elongation_azimuthal[k] = done.spring.elongation.azimuthal;
+            sliding[k] = done.spring.sliding;
+            u_l[k] = u.l + mobility.translation * done.force.axial;
+            u_t[k] = u.t + mobility.translation * done.force.azimuthal;
+            s_held[k] = u.spin + mobility.rotation * pipe[k] * done.force.azimuthal;
             return slip;
         };
         double slips = 0.0;
-        if (touching + touched > 0.0) {
+        const bool contact = touching + touched > 0.0;
+        if (contact) {
+#pragma omp simd
+            for (std::size_t k = 0; k < count; ++k)
+                press(k);
 #pragma omp simd reduction(+ : slips)
-            for (std::size_t k = 0; k < block_size; ++k)
-                slips += touch(k);
+            for (std::size_t k = 0; k < count; ++k)
+                slips += rub(k);
         }
 
         if constexpr (has_mud(around)) {
@@ -553,44 +566,60 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_block(const DirectorModel& model, const Blo
                 u_t[k] = after.t;
                 s_held[k] = after.spin;
             };
-            if (touching < static_cast<double>(block_size)) {
+            if (touching < static_cast<double>(count)) {
 #pragma omp simd
-                for (std::size_t k = 0; k < block_size; ++k)
+                for (std::size_t k = 0; k < count; ++k)
                     wade(k);
             }
         }
 
+        const auto rod_velocity = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            constexpr std::size_t row = damping == Damping::none ? 0 : 3;
+            return Triple{hold[row][k], hold[row + 1][k], hold[row + 2][k]};
+        };
         const auto leave = [&](std::size_t k) DRILLSTRAND_LAMBDA {
             // changes along r, l and t, on the velocity before them
             const Triple r = {hold[6][k], hold[7][k], hold[8][k]};
             const Triple l = {hold[9][k], hold[10][k], hold[11][k]};
             const Triple t = cross(r, l);
             const Triple before = {hold[0][k], hold[1][k], hold[2][k]};
+            const Triple v_rod = rod_velocity(k);
             Triple v = combine(1.0, before, u_r[k] - dot(before, r), r);
             v = combine(1.0, v, u_l[k] - dot(before, l), l);
             v = combine(1.0, v, u_t[k] - dot(before, t), t);
-            Triple v_rod = before;
-            if constexpr (damping != Damping::none) v_rod = {hold[3][k], hold[4][k], hold[5][k]};
             return move(k, v, v_rod, s_held[k], s_rod_held[k]);
         };
+        const auto pass = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            const Triple v = {hold[0][k], hold[1][k], hold[2][k]};
+            return move(k, v, rod_velocity(k), s_held[k], s_rod_held[k]);
+        };
+        if (has_mud(around) || contact) {
 #pragma omp simd reduction(+ : outflow, faults)
-        for (std::size_t k = 0; k < block_size; ++k) {
-            const NodeStep done = leave(k);
-            outflow += done.outflow;
-            faults += done.faults;
+            for (std::size_t k = 0; k < count; ++k) {
+                const NodeStep done = leave(k);
+                outflow += done.outflow;
+                faults += done.faults;
+            }
+        } else {
+#pragma omp simd reduction(+ : outflow, faults)
+            for (std::size_t k = 0; k < count; ++k) {
+                const NodeStep done = pass(k);
+                outflow += done.outflow;
+                faults += done.faults;
+            }
         }
         return {outflow, impacts, slips, leavers, faults};
     }
 }
 
-using SegmentKernel = void (*)(const DirectorModel&, const BlockTable&, BlockTable&, std::size_t,
+using SegmentKernel = void (*)(const DirectorModel&, const BlockTable&, BlockTable&, BlockSpan,
                                double);
 using NodeKernel = NodeStep (*)(const DirectorModel&, const BlockTable&, BlockTable&,
-                                const BlockTable&, Surroundings&, std::size_t, double, double);
+                                const BlockTable&, Surroundings&, BlockSpan, double, double);
 
 template <Damping damping>
 SegmentKernel segment_kernel_damped(bool curved) {
-    return curved ? segments_of_block<damping, true> : segments_of_block<damping, false>;
+    return curved ? segments_of_span<damping, true> : segments_of_span<damping, false>;
 }
 
 SegmentKernel segment_kernel(const DirectorFeatures& features) {
@@ -606,7 +635,7 @@ SegmentKernel segment_kernel(const DirectorFeatures& features) {
 
 template <Around around, Damping damping>
 NodeKernel node_kernel_damped(bool curved) {
-    return curved ? nodes_of_block<around, damping, true> : nodes_of_block<around, damping, false>;
+    return curved ? nodes_of_span<around, damping, true> : nodes_of_span<around, damping, false>;
 }
 
 template <Around around>
@@ -634,15 +663,15 @@ NodeKernel node_kernel(const DirectorModel& model, const SurroundingsParameters&
 }  // namespace
 
 void director_segments(const DirectorModel& model, const BlockTable& state, BlockTable& segments,
-                       std::size_t block, double drift) {
-    segment_kernel(model.features)(model, state, segments, block, drift);
+                       BlockSpan span, double drift) {
+    segment_kernel(model.features)(model, state, segments, span, drift);
 }
 
 NodeStep director_nodes(const DirectorModel& model, const BlockTable& state, BlockTable& next,
-                        const BlockTable& segments, Surroundings& surroundings, std::size_t block,
+                        const BlockTable& segments, Surroundings& surroundings, BlockSpan span,
                         double kick, double drift) {
     return node_kernel(model, surroundings.parameters())(model, state, next, segments, surroundings,
-                                                         block, kick, drift);
+                                                         span, kick, drift);
 }
 
 }  // namespace drillstrand

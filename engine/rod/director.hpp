@@ -104,12 +104,12 @@ struct DirectorModel {
     explicit DirectorModel(const Scene& scene);
 };
 
-/// Stresses of the segments of one block at a whole step. `drift` is the time since the step
+/// Stresses of the segments of a span at a whole step. `drift` is the time since the step
 /// before, over which the spins of the state have twisted the segments (s).
 void director_segments(const DirectorModel& model, const BlockTable& state, BlockTable& segments,
-                       std::size_t block, double drift);
+                       BlockSpan span, double drift);
 
-/// What one step of a block of nodes did, besides moving them.
+/// What one step of a span of nodes did, besides moving them.
 struct NodeStep {
     double outflow = 0;  ///< energy given to surroundings and damping (J)
     double impacts = 0;  ///< nodes that came into contact
@@ -118,11 +118,11 @@ struct NodeStep {
     double faults = 0;   ///< nodes whose velocity is not a number
 };
 
-/// Moves the nodes of one block: forces act on velocities for `kick` (s), velocities on poses for
-/// `drift` (s). Reads `state`, writes `next`. Segments of this block and the one before must be up
-/// to date; friction springs advance with the step.
+/// Moves the nodes of a span: forces act on velocities for `kick` (s), velocities on poses for
+/// `drift` (s). Reads `state`, writes `next`. Segments of this span and the one before its first
+/// must be up to date; friction springs advance with the step.
 NodeStep director_nodes(const DirectorModel& model, const BlockTable& state, BlockTable& next,
-                        const BlockTable& segments, Surroundings& surroundings, std::size_t block,
+                        const BlockTable& segments, Surroundings& surroundings, BlockSpan span,
                         double kick, double drift);
 
 }  // namespace drillstrand

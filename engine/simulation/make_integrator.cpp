@@ -13,9 +13,10 @@ namespace drillstrand {
 namespace {
 
 /// Threads for a string of so many blocks where the user leaves the choice. Threads meet at every
-/// step: on a machine with other work a late one costs more than a short string's share is worth.
-int automatic_threads(int blocks) {
-    constexpr int worthwhile_blocks = 32;
+/// step: a short string's share is done before the meeting pays. The leapfrog's threads part where
+/// other work keeps them waiting for each other; dormand-prince's do not, and must be worth more.
+int automatic_threads(IntegratorKind kind, int blocks) {
+    const int worthwhile_blocks = kind == IntegratorKind::leapfrog ? 10 : 32;
     return std::clamp(blocks / worthwhile_blocks, 1, omp_get_num_procs());
 }
 
@@ -35,8 +36,8 @@ IntegratorOptions integrator_options(const RunCase& run) {
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const IntegratorOptions& options) {
     const auto blocks = static_cast<int>(blocks_for(static_cast<std::size_t>(scene.segments) + 1));
-    const int threads =
-        options.threads > 0 ? std::min(options.threads, blocks) : automatic_threads(blocks);
+    const int threads = options.threads > 0 ? std::min(options.threads, blocks)
+                                            : automatic_threads(options.kind, blocks);
     switch (options.kind) {
         case IntegratorKind::dormand_prince:
             return std::make_unique<DormandPrince>(

@@ -67,14 +67,15 @@ StepAccount kernel_director_step(const Scene& scene, PlainRod& rod, const EndLoa
     write(state, director, beyond, rod.node.back().director);
     write(state, last_director, beyond, rod.node.back().last_director);
 
-    for (std::size_t block = 0; block < state.blocks(); ++block)
-        director_segments(model, state, segments, block, drift_before);
+    const std::vector<BlockSpan> spans = equal_spans(state.blocks());
+    for (const BlockSpan span : spans)
+        director_segments(model, state, segments, span, drift_before);
     write_ghost(segments, -1, head, rod.node.front().director);
     write_ghost(segments, beyond - 1, bit, rod.node.back().director);
     StepAccount account;
-    for (std::size_t block = 0; block < state.blocks(); ++block) {
+    for (const BlockSpan span : spans) {
         const NodeStep done =
-            director_nodes(model, state, next, segments, surroundings, block, kick, drift);
+            director_nodes(model, state, next, segments, surroundings, span, kick, drift);
         account.outflow += done.outflow;
         account.impacts += static_cast<int>(done.impacts);
         account.slips += static_cast<int>(done.slips);
