@@ -78,6 +78,15 @@ struct ReportOptions {
 
 int report(const ReportOptions& options);
 
+struct ExportOptions {
+    std::filesystem::path result;
+    std::filesystem::path folder;  ///< empty: the result's stem in the working directory
+    bool vtk = false;              ///< one of the two formats
+    bool csv = false;
+};
+
+int export_result(const ExportOptions& options);
+
 int info(const std::filesystem::path& result_path);
 
 }  // namespace drillstrand::program

@@ -53,15 +53,6 @@ void print_contents(const Result& result) {
     fmt::print("  profile times    {}\n", times_text(result.profiles));
 }
 
-/// Component `k` of a comma-separated list of units, or the one unit of all components.
-std::string unit_of(const std::string& units, std::size_t k) {
-    if (units.find(',') == std::string::npos) return units;
-    std::size_t start = 0;
-    for (; k > 0; --k)
-        start = units.find(',', start) + 2;
-    return units.substr(start, units.find(',', start) - start);
-}
-
 void print_ranges(const RecordDataset<SeriesRecord>& entry,
                   const std::vector<SeriesRecord>& records) {
     std::vector<double> values;

@@ -18,7 +18,7 @@ namespace drillstrand::program {
 namespace {
 
 /// Commands of the interface that later versions bring.
-constexpr std::array<std::string_view, 2> later_commands = {"export", "study"};
+constexpr std::array<std::string_view, 1> later_commands = {"study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -52,9 +52,10 @@ class CommandLine {
         add_equilibrium();
         add_torque_drag();
         add_report();
+        add_export();
         add_info();
         for (CLI::App* command :
-             {run_, check_, buckling_, equilibrium_, torque_drag_, report_, info_})
+             {run_, check_, buckling_, equilibrium_, torque_drag_, report_, export_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -78,6 +79,7 @@ class CommandLine {
                                 parse_overrides(overrides_)});
         if (report_->parsed())
             return report({result_path_, output_, measured_path_, offset_, follow_});
+        if (export_->parsed()) return export_result({result_path_, output_, vtk_, csv_});
         if (info_->parsed()) return info(result_path_);
         throw UsageError("no command; see drillstrand --help");
     }
@@ -168,6 +170,18 @@ class CommandLine {
         report_->add_flag("--follow", follow_, "Write the page again until the run ends");
     }
 
+    void add_export() {
+        export_ =
+            app_.add_subcommand("export", "Write a result file for ParaView or a spreadsheet");
+        export_->add_option("OUT.h5", result_path_, "The result file")->required();
+        export_->add_flag("--vtk", vtk_, "String and well for ParaView: open string.pvd, well.vtp");
+        export_->add_flag("--csv", csv_, "Tables of series and profiles, comma-separated");
+        export_
+            ->add_option("-o,--output", output_,
+                         "The folder; default: the result's stem, in the working directory")
+            ->type_name("DIR");
+    }
+
     void add_info() {
         info_ = app_.add_subcommand("info", "Print what a result file holds and how it was made");
         info_->add_option("OUT.h5", result_path_, "The result file")->required();
@@ -215,7 +229,7 @@ class CommandLine {
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
                 "unknown command '{}'; the commands are run, check, buckling, equilibrium, "
-                "torque-drag, report and info",
+                "torque-drag, report, export and info",
                 argv[1]);
         return error.what();
     }
@@ -233,6 +247,7 @@ class CommandLine {
     CLI::App* equilibrium_ = nullptr;
     CLI::App* torque_drag_ = nullptr;
     CLI::App* report_ = nullptr;
+    CLI::App* export_ = nullptr;
     CLI::App* info_ = nullptr;
     std::string case_path_;
     std::string result_path_;
@@ -248,6 +263,8 @@ class CommandLine {
     std::vector<std::string> overrides_;
     bool quiet_ = false;
     bool follow_ = false;
+    bool vtk_ = false;
+    bool csv_ = false;
 };
 
 }  // namespace

@@ -23,4 +23,12 @@ std::string count_text(double count) {
     return fmt::format("{} {:03}", whole / 1000, whole % 1000);
 }
 
+std::string unit_of(const std::string& units, std::size_t k) {
+    if (units.find(',') == std::string::npos) return units;
+    std::size_t start = 0;
+    for (; k > 0; --k)
+        start = units.find(',', start) + 2;
+    return units.substr(start, units.find(',', start) - start);
+}
+
 }  // namespace drillstrand::program

@@ -1,6 +1,7 @@
 /// Numbers as people read them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace drillstrand::program {
@@ -10,5 +11,8 @@ std::string duration_text(double seconds);
 
 /// "731", "12 400", "5.1e+07" from a million on.
 std::string count_text(double count);
+
+/// Item `k` of a list of units as result files write it, "N m, N m, N", or the one unit of all.
+std::string unit_of(const std::string& units, std::size_t k);
 
 }  // namespace drillstrand::program

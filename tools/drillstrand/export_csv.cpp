@@ -1,0 +1,136 @@
+#include "export_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "drillstrand/result_layout.hpp"
+#include "export_fields.hpp"
+#include "export_file.hpp"
+#include "wording.hpp"
+
+namespace drillstrand::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_number(std::string& line, double value) {
+    if (!line.empty()) line += ',';
+    fmt::format_to(std::back_inserter(line), "{}", value);
+}
+
+void add_name(std::string& line, const std::string& name) {
+    if (!line.empty()) line += ',';
+    line += name;
+}
+
+const std::vector<std::string>& components_of(const RecordDataset<SeriesRecord>& entry) {
+    static const std::vector<std::string> none{""};
+    if (entry.components == 1) return none;
+    return entry.components == 3 ? space_components() : stress_components();
+}
+
+std::string series_header() {
+    std::string header;
+    for (const auto& entry : series_datasets()) {
+        const std::string name = entry.path.substr(entry.path.rfind('/') + 1);
+        const std::vector<std::string>& components = components_of(entry);
+        for (std::size_t k = 0; k < components.size(); ++k)
+            add_name(header, with_units(components[k].empty() ? name : name + '_' + components[k],
+                                        unit_of(entry.units, k)));
+    }
+    return header + '\n';
+}
+
+void write_series(const fs::path& path, const std::vector<SeriesRecord>& series) {
+    ExportFile file(path);
+    file.write(series_header());
+    for (const SeriesRecord& record : series) {
+        std::vector<double> values;
+        for (const auto& entry : series_datasets())
+            entry.append(record, values);
+        std::string line;
+        for (const double value : values)
+            add_number(line, value);
+        file.write(line + '\n');
+    }
+    file.finish();
+}
+
+std::string header_of(const std::vector<ExportField>& fields) {
+    std::string header = "time[s]";
+    for (const ExportField& field : fields) {
+        if (field.components.empty()) add_name(header, with_units(field.name, field.units));
+        for (const std::string& component : field.components)
+            add_name(header, with_units(field.name + '_' + component, field.units));
+    }
+    return header + '\n';
+}
+
+/// The rows of one profile.
+std::string rows_of(double time, const std::vector<ExportField>& fields) {
+    std::string text;
+    const std::size_t rows = fields.front().values.size() / fields.front().width();
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::string line;
+        add_number(line, time);
+        for (const ExportField& field : fields)
+            for (std::size_t k = 0; k < field.width(); ++k)
+                add_number(line, field.values[row * field.width() + k]);
+        text += line + '\n';
+    }
+    return text;
+}
+
+/// A long table: the header, then the rows of one profile after the other.
+template <class FieldsOf>
+void write_profiles(const fs::path& path, const std::vector<Profile>& profiles,
+                    FieldsOf&& fields_of) {
+    ExportFile file(path);
+    // without a profile there is still a header
+    file.write(header_of(fields_of(profiles.empty() ? Profile{} : profiles.front())));
+    for (const Profile& profile : profiles)
+        file.write(rows_of(profile.time, fields_of(profile)));
+    file.finish();
+}
+
+std::vector<ExportField> with_position(const Profile& profile, std::vector<ExportField> fields) {
+    ExportField position{"position", "m", space_components(), {}};
+    for (const Eigen::Vector3d& point : profile.position)
+        position.values.insert(position.values.end(), point.begin(), point.end());
+    fields.insert(fields.begin() + 1, std::move(position));
+    return fields;
+}
+
+void write_well(const fs::path& path, const std::vector<WellStretch>& stretches) {
+    ExportFile file(path);
+    file.write("measured_depth[m],north[m],east[m],down[m],radius[m]\n");
+    for (const WellStretch& stretch : stretches)
+        for (std::size_t k = 0; k < stretch.axis.size(); ++k) {
+            std::string line;
+            add_number(line, stretch.measured_depth[k]);
+            for (const double coordinate : stretch.axis[k])
+                add_number(line, coordinate);
+            add_number(line, stretch.radius);
+            file.write(line + '\n');
+        }
+    file.finish();
+}
+
+}  // namespace
+
+void write_csv(const fs::path& folder, const Result& result) {
+    write_series(folder / "series.csv", result.series);
+    ProfileFields fields(result);
+    write_profiles(folder / "nodes.csv", result.profiles, [&](const Profile& profile) {
+        return with_position(profile, fields.of_nodes(profile));
+    });
+    write_profiles(folder / "segments.csv", result.profiles,
+                   [&](const Profile& profile) { return fields.of_segments(profile); });
+    if (result.header.well) write_well(folder / "well.csv", well_stretches(result));
+}
+
+}  // namespace drillstrand::program
