@@ -267,6 +267,23 @@ class Export(SmallRun):
         self.assertEqual(sorted(self.folder.rglob("*")), before)
         (self.folder / "notes").unlink()
 
+    def test_a_file_of_buckling_modes_is_refused(self):
+        shutil.copy(self.source / "cases" / "buckling_heavy.toml", self.folder)
+        self.run_program("buckling", "buckling_heavy.toml", "-o", "modes.h5")
+        ending = self.run_program("export", "modes.h5", "--csv")
+        self.assertEqual(ending.returncode, 2)
+        self.assertIn("drillstrand: error: modes.h5: this holds buckling modes", ending.stderr)
+
+    def test_an_equilibrium_is_exported(self):
+        ending = self.run_program("equilibrium", "case.toml", "-o", "rest.h5", "--set",
+                                  "mesh.segments=10")
+        self.assertEqual(ending.returncode, 0, ending.stderr)
+        self.assertEqual(self.run_program("export", "rest.h5", "--vtk").returncode, 0)
+        ((time, path),) = self.collection("rest")
+        with h5py.File(self.folder / "rest.h5") as file:
+            np.testing.assert_array_equal(vtk_to_numpy(read_vtk(path).GetPoints().GetData()),
+                                          file["profiles/position"][0])
+
     def test_a_file_that_cannot_be_written_is_one_line(self):
         blocked = self.folder / "blocked"
         (blocked / "series.csv").mkdir(parents=True)

@@ -6,7 +6,9 @@
 #include <system_error>
 
 #include "commands.hpp"
+#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/result_file.hpp"
+#include "drillstrand/torque_drag_file.hpp"
 #include "export_csv.hpp"
 #include "export_vtk.hpp"
 
@@ -27,6 +29,13 @@ fs::path folder_of(const ExportOptions& options) {
         throw UsageError(
             fmt::format("-o {}: a file of that name is there; name a folder", folder.string()));
     return folder;
+}
+
+void refuse_other_results(const fs::path& path) {
+    if (holds_buckling(path) || holds_torque_drag(path))
+        throw UsageError(fmt::format(
+            "{}: this holds {}; export takes what drillstrand run or equilibrium wrote",
+            path.string(), holds_buckling(path) ? "buckling modes" : "torque and drag"));
 }
 
 void make_folder(const fs::path& folder) {
@@ -62,6 +71,7 @@ int export_result(const ExportOptions& options) {
     if (options.vtk == options.csv)
         throw UsageError("export needs one of --vtk (for ParaView) and --csv (for a spreadsheet)");
     const fs::path folder = folder_of(options);
+    refuse_other_results(options.result);
     const Result result = read_result(options.result);
     make_folder(folder);
     warn(options, result);

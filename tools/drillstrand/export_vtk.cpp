@@ -27,7 +27,7 @@ class AppendedData {
     template <class Number>
     std::string add(const char* type, const std::string& attributes,
                     const std::vector<Number>& values) {
-        const std::string element =
+        std::string element =
             fmt::format("<DataArray type=\"{}\" {} format=\"appended\" offset=\"{}\"/>\n", type,
                         attributes, bytes_.size());
         const std::uint64_t count = values.size() * sizeof(Number);
@@ -55,7 +55,7 @@ std::string fields_text(const char* where, const std::vector<ExportField>& field
                         AppendedData& data) {
     std::string text = fmt::format("<{}>\n", where);
     for (const ExportField& field : fields) {
-        std::string attributes = fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"",
+        std::string attributes = fmt::format(R"(Name="{}" NumberOfComponents="{}")",
                                              with_units(field.name, field.units), field.width());
         for (std::size_t k = 0; k < field.components.size(); ++k)
             attributes += fmt::format(" ComponentName{}=\"{}\"", k, field.components[k]);
@@ -66,7 +66,7 @@ std::string fields_text(const char* where, const std::vector<ExportField>& field
 
 std::string time_text(double time, AppendedData& data) {
     return "<FieldData>\n" +
-           data.add("Float64", "Name=\"TimeValue\" NumberOfTuples=\"1\"",
+           data.add("Float64", R"(Name="TimeValue" NumberOfTuples="1")",
                     std::vector<double>{time}) +
            "</FieldData>\n";
 }
@@ -77,7 +77,7 @@ std::string piece_text(const LineData& lines, AppendedData& data) {
     text += fields_text("PointData", lines.of_points, data);
     text += fields_text("CellData", lines.of_lines, data);
     text += "<Points>\n";
-    text += data.add("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", lines.points);
+    text += data.add("Float64", R"(Name="Points" NumberOfComponents="3")", lines.points);
     text += "</Points>\n<Lines>\n";
     text += data.add("Int64", "Name=\"connectivity\"", lines.connectivity);
     text += data.add("Int64", "Name=\"offsets\"", lines.offsets);
