@@ -228,7 +228,7 @@ def _draw_path(result, profile, figure, axes):
     position = result.profiles["position"][profile][:, [1, 0, 2]]  # east, north, down
     force = result.profiles["stress"][profile, :, 3] / 1e3
     lines = Line3DCollection(np.stack([position[:-1], position[1:]], axis=1), array=force,
-                             cmap="viridis", linewidth=3)
+                             cmap="viridis", linewidth=3, capstyle="round")
     axes.add_collection3d(lines)
     points = position
     if result.well:
@@ -256,6 +256,8 @@ def _set_box(axes, points):
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.set_major_locator(_few_ticks())
         axis.labelpad = 12
+    axes.tick_params(axis="z", pad=14)
+    axes.yaxis.labelpad, axes.zaxis.labelpad = 24, 34
 
 
 def _few_ticks():
@@ -362,6 +364,8 @@ def draw_spectrogram(result, window=12.8):
     torque = np.interp(uniform, moments, result.series["head_stress"][:, 0]) / 1e3
     power, frequency, centre = mlab.specgram(torque, NFFT=size, Fs=1 / interval,
                                              noverlap=size * 7 // 8, detrend="linear")
+    if power.max() == 0:
+        raise NothingToDraw("there is no torque")
     level = 10 * np.log10(np.maximum(power, power.max() * 1e-8))
     figure, axes = _figure(result, "fluctuations of the twist moment at the head", size=(9, 5))
     _draw_map(figure, axes, centre + moments[0], frequency, level,
