@@ -7,6 +7,7 @@ other formulation. bench/README.md says how, and how times are compared at equal
 """
 
 import argparse
+import csv
 import json
 import math
 import os
@@ -610,6 +611,33 @@ def has_arkode(build):
     return "sundials_arkode" in done.stdout
 
 
+def read_rows(path):
+    """Facts and rows of an earlier run's CSV file, as they were written."""
+    def value(text):
+        for kind in (int, float):
+            try:
+                return kind(text)
+            except ValueError:
+                continue
+        return {"True": True, "False": False}.get(text, text)
+
+    with open(path, encoding="utf-8", newline="") as file:
+        lines = file.read().splitlines()
+    facts = [tuple(line[2:].split(": ", 1)) for line in lines if line.startswith("# ")]
+    table = csv.DictReader(line for line in lines if not line.startswith("# "))
+    return facts, [{name: value(text) for name, text in row.items()} for row in table]
+
+
+def redo_readme(options, folder):
+    """The table of README.md from the CSV file of an earlier run."""
+    facts, rows = read_rows(folder / f"{options.stem}.csv")
+    measured = {row["motion"] for row in rows}
+    motions = [motion for motion in MOTIONS if motion.key in measured]
+    clock = dict(facts)["method"].rsplit(": ", 1)[1]
+    pictures = {key: folder / f"{options.stem}_{key}.png" for key in measured}
+    write_readme(options, facts, motions, rows, clock, pictures)
+
+
 def choose_clock():
     """Wall time on a machine that does nothing else; processor time where others work."""
     return "wall (s)" if os.getloadavg()[0] < measure.IDLE else "processor (s)"
@@ -626,7 +654,14 @@ def main():
     parser.add_argument("--motion", action="append", choices=[motion.key for motion in MOTIONS],
                         help="only this motion (may be repeated)")
     parser.add_argument("--limit", type=float, default=600, help="longest run (s)")
+    parser.add_argument("--from-csv", action="store_true",
+                        help="run nothing: write the table of README.md from the last CSV file")
     options = parser.parse_args()
+    options.stem = "work_precision_trial" if options.quick else "work_precision"
+    folder = measure.results_folder(options.machine)
+    if options.from_csv:
+        redo_readme(options, folder)
+        return
     options.rounds = options.rounds or (1 if options.quick else 3)
     options.arkode = has_arkode(options.build)
     os.nice(5)
@@ -639,8 +674,6 @@ def main():
     if not options.arkode:
         facts.append(("left out", "ARKODE: libsundials-dev was not there when this was built"))
     motions = [m for m in MOTIONS if not options.motion or m.key in options.motion]
-    folder = measure.results_folder(options.machine)
-    stem = "work_precision_trial" if options.quick else "work_precision"
     conditions = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program",
                                                                     "windows"))
     rows = []
@@ -650,10 +683,10 @@ def main():
         for motion in motions:
             own = study(bench, motion)
             rows += own
-            pictures[motion.key] = folder / f"{stem}_{motion.key}.png"
+            pictures[motion.key] = folder / f"{options.stem}_{motion.key}.png"
             draw(motion, own, clock, pictures[motion.key], conditions)
-            measure.write_csv(folder / f"{stem}.csv", list(facts), rows)
-    measure.write_csv(folder / f"{stem}.csv", facts, rows)
+            measure.write_csv(folder / f"{options.stem}.csv", list(facts), rows)
+    measure.write_csv(folder / f"{options.stem}.csv", facts, rows)
     lines, median = summary(motions, rows, clock)
     print(measure.markdown(lines))
     print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}")
