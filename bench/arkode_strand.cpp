@@ -307,8 +307,9 @@ void ArkodeStrand::Solver::follow_surroundings(double step) {
     for (std::size_t block = 0; block < work.table.blocks(); ++block) {
         if (!surroundings.changes(block)) continue;
         surroundings.advance_springs(step, block);
-        surroundings.refresh_arcs(
-            block, [&](std::size_t node) { return node_pose(work, block_start, node).position; });
+        surroundings.refresh_arcs({block, block + 1}, [&](std::size_t node) {
+            return node_pose(work, block_start, node).position;
+        });
     }
 }
 
