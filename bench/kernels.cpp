@@ -216,6 +216,7 @@ const NamedScene stepped_scenes[] = {
 
 constexpr Tolerances tolerances;
 constexpr int settling_steps = 100;
+constexpr int compared_steps = 20;
 constexpr int steps_at_once = 20;
 
 void add_engine_step(const NamedScene& named, int segments, int threads) {
@@ -253,19 +254,20 @@ void add_plain_step(const NamedScene& named, int segments) {
     });
 }
 
-/// Both integrators must take the same steps.
+/// Both integrators must take the same first steps. Where stability sets the step, the error that
+/// controls it is a growing mode, and rounding differences grow tenfold every few steps.
 void compare_steps(const NamedScene& named) {
     const Scene scene = make_scene(meshes[1], named.features, named.offset);
     DormandPrince engine(scene, tolerances, 1);
     PlainDormandPrince plain(scene, tolerances);
-    engine.advance(1e9, settling_steps);
-    plain.advance(settling_steps);
+    engine.advance(1e9, compared_steps);
+    plain.advance(compared_steps);
     const double difference = std::abs(engine.time() / plain.time() - 1);
     if (!(difference < 1e-6)) {
         throw std::runtime_error(
             fmt::format("{}: {} steps of the engine and of its scalar twin differ by {:.1e} of the "
                         "time they reach",
-                        named.name, settling_steps, difference));
+                        named.name, compared_steps, difference));
     }
 }
 
