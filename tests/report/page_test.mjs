@@ -43,6 +43,9 @@ const plotted = (page, name) => page.locator(`#plot-${name}`).evaluate((plot) =>
   titles: Object.entries(plot.layout).filter(([key]) => /^[xy]axis/.test(key)).map(([, axis]) => axis.title.text),
 }));
 
+/** A click that does not scroll. */
+const press = (button) => button.evaluate((one) => one.click());
+
 const sectionsOf = (page) => page.locator("section").evaluateAll((all) => all.map((section) => section.id));
 
 async function showAll(page) {
@@ -59,6 +62,9 @@ async function withPage(name, options, use) {
     context.on("weberror", (error) => said.push(String(error.error())));
     const url = pathToFileURL(at(name)).href;
     const page = await openPage(context, url);
+    // A page of a run that goes on must not load itself anew under the test's hands.
+    const live = page.locator("#live");
+    if (await live.isVisible()) await press(live);
     await showAll(page);
     await use(page);
     assert.deepEqual(said, [], "console");
@@ -295,6 +301,12 @@ test("a long run keeps its page small and says what it left out", async () => {
   });
 });
 
+test("files of other commands are refused in one line", () => {
+  drillstrand("buckling", join(root, "cases/buckling_weightless.toml"), "-o", "modes.h5");
+  assert.throws(() => drillstrand("report", "modes.h5"), ({ status, stderr }) =>
+    status === 2 && /^drillstrand: error: modes.h5: holds buckling modes, not a run over time; .*\n$/.test(stderr));
+});
+
 test("measured channels lie beside the simulated ones", async () => {
   const times = well["series/time"].filter((_, k) => k % 3 === 0);
   const hook = well["series/head_stress"].filter((_, k) => k % 3 === 0).map((stress) => stress[3]);
@@ -319,10 +331,11 @@ test("measured channels lie beside the simulated ones", async () => {
   });
 });
 
-test("--follow writes the page again until the run ends", async () => {
+test("--follow writes the page again until the run ends", async (context) => {
   const child = spawn(program, ["run", join(root, "cases/cantilever.toml"), "--quiet", "-o", "live.h5", "--set", "run.duration=100000"],
     { cwd: desk, stdio: "ignore" });
   const ended = new Promise((resolve) => child.on("exit", resolve));
+  context.after(() => child.kill("SIGKILL"));
   const until = async (what, condition) => {
     const deadline = Date.now() + 60e3;
     while (!condition()) {
@@ -333,10 +346,25 @@ test("--follow writes the page again until the run ends", async () => {
   await until("the run writes", () => existsSync(at("live.h5")) &&
     JSON.parse(python("result_numbers.py", at("live.h5")))["series/time"].length > 2);
   const follower = spawn(program, ["report", "live.h5", "--follow"], { cwd: desk, stdio: "ignore" });
+  context.after(() => follower.kill("SIGKILL"));
   const followed = new Promise((resolve) => follower.on("exit", resolve));
   await until("a page is written", () => existsSync(at("live.html")));
   await withPage("live.html", wide, async (page) => {
-    assert.ok(await page.locator("#live").isVisible());
+    const live = page.locator("#live");
+    assert.equal(await live.getAttribute("aria-pressed"), "false");
+    const records = (await plotted(page, "traces")).traces[0].x.length;
+    await showSection(page, "profiles");
+    const topOfSection = () => page.locator("#profiles").evaluate((section) => section.getBoundingClientRect().top);
+    const top = await topOfSection();
+    const loaded = page.waitForEvent("load");
+    await press(live);
+    await loaded;
+    await page.waitForSelector("html[data-ready]");
+    await press(live);
+    const moved = (await topOfSection()) - top;
+    assert.ok(Math.abs(moved) < 2, `the page moved by ${moved} pixels`);
+    await showSection(page, "traces");
+    assert.ok((await plotted(page, "traces")).traces[0].x.length > records, "new records are there");
   });
   child.kill("SIGINT");
   assert.equal(await ended, 130);

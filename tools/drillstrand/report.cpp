@@ -7,9 +7,11 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/measured.hpp"
 #include "drillstrand/result_file.hpp"
+#include "drillstrand/torque_drag_file.hpp"
 #include "drillstrand/units.hpp"
 #include "report_compare.hpp"
 #include "report_data.hpp"
@@ -153,9 +155,20 @@ void follow(const ReportOptions& options, const std::optional<Measured>& measure
     }
 }
 
+/// Throws UsageError for files of other commands.
+void require_run(const fs::path& path) {
+    for (const auto& [is_other, what] : {std::pair{holds_buckling(path), "buckling modes"},
+                                         std::pair{holds_torque_drag(path), "torque and drag"}})
+        if (is_other)
+            throw UsageError(fmt::format(
+                "{}: holds {}, not a run over time; 'drillstrand info {}' says what is in it",
+                path.string(), what, path.string()));
+}
+
 }  // namespace
 
 int report(const ReportOptions& options) {
+    require_run(options.result);
     const fs::path output = output_of(options);
     const std::optional<Measured> measured = read_measured_of(options);
     if (options.follow) {

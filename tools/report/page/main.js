@@ -1,10 +1,14 @@
 // The page: its sections in order, the switches above them, and reloading while a run goes on.
 
-/** Storage may be refused, to files above all. */
+/**
+ * What is stored as `key`, or stores `value` there; null takes it away. Storage may be refused, to
+ * files above all.
+ */
 function remembered(store, key, value) {
   try {
     if (value === undefined) return window[store].getItem(`drillstrand-${key}`);
-    window[store].setItem(`drillstrand-${key}`, value);
+    if (value === null) window[store].removeItem(`drillstrand-${key}`);
+    else window[store].setItem(`drillstrand-${key}`, value);
   } catch {
     // The choice then lasts as long as the page.
   }
@@ -52,9 +56,7 @@ function listenToSwitches() {
 function followReading() {
   const links = new Map([...document.querySelectorAll("#contents a")].map((link) => [link.hash.slice(1), link]));
   const mark = () => {
-    let current = "summary";
-    for (const section of document.querySelectorAll("section"))
-      if (section.getBoundingClientRect().top < 160) current = section.id;
+    const current = sectionInSight().id;
     for (const [id, link] of links) {
       if (id !== current) link.removeAttribute("aria-current");
       else if (!link.hasAttribute("aria-current")) {
@@ -68,10 +70,34 @@ function followReading() {
   mark();
 }
 
+const sectionInSight = () =>
+  [...document.querySelectorAll("section")].findLast((section) => section.getBoundingClientRect().top < 160) ??
+  document.getElementById("summary");
+
+/** The section that is read, and the heights of pictures, which have them only once they are drawn. */
+function rememberPlace() {
+  const section = sectionInSight();
+  const last = !hasProfiles() || state.frame === frameCount() - 1;
+  remembered("sessionStorage", "place", JSON.stringify({
+    id: section.id, top: section.getBoundingClientRect().top, time: last ? null : array("profiles/time")[state.frame],
+    heights: [...document.querySelectorAll(".plot")].map((plot) => [plot.id, plot.offsetHeight]) }));
+}
+
+function restorePlace() {
+  const place = JSON.parse(remembered("sessionStorage", "place"));
+  if (!place) return;
+  remembered("sessionStorage", "place", null);
+  history.scrollRestoration = "manual";
+  if (place.time !== null && hasProfiles()) setFrame(lowerBound(array("profiles/time"), place.time));
+  for (const [id, height] of place.heights)
+    document.getElementById(id)?.style.setProperty("min-height", `${height}px`);
+  const section = document.getElementById(place.id);
+  if (section) window.scrollBy(0, section.getBoundingClientRect().top - place.top);
+}
+
 /** While drillstrand report --follow writes, the page loads itself anew and stays where it was. */
 function followRun() {
-  const place = remembered("sessionStorage", "scroll");
-  if (metadata.follow && place) requestAnimationFrame(() => window.scrollTo(0, Number(place)));
+  restorePlace();
   if (!metadata.follow) return;
   const live = document.getElementById("live");
   live.hidden = false;
@@ -79,7 +105,7 @@ function followRun() {
   live.addEventListener("click", () => live.setAttribute("aria-pressed", String(!isLive())));
   setInterval(() => {
     if (!isLive() || state.playing || document.hidden) return;
-    remembered("sessionStorage", "scroll", String(window.scrollY));
+    rememberPlace();
     location.reload();
   }, metadata.follow * 1000);
 }

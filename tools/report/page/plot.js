@@ -61,6 +61,12 @@ function addPicture(target, draw) {
   return () => renew(picture);
 }
 
+/** Words with numbers in them: there from the start, and again in other units. */
+function addWords(target, write) {
+  addPicture(target, write);
+  redraw(pictures.get(target));
+}
+
 function renew(picture) {
   setStale(picture, true);
   if (picture.inSight) redraw(picture);

@@ -20,7 +20,8 @@ function bandOf(field) {
 function addProfiles() {
   if (!hasProfiles()) return;
   const section = addSection("profiles", "Profiles",
-    "Along the string at the chosen time. The shaded band spans what each place went through over all profiles.");
+    "Along the string at the chosen time. The shaded band spans what each place went through over all profiles; single impacts leave the " +
+    "frame of the side force.");
   const fields = Object.entries(availableFields());
   section.append(timeBar());
   const plotId = "profiles";
@@ -43,7 +44,7 @@ function profilePlot(fields) {
   const gap = isNarrow() ? 0.12 : 0.025;
   const width = (1 - gap * (columns - 1)) / columns;
   const traces = [];
-  fields.forEach(([, field], k) => {
+  fields.forEach(([name, field], k) => {
     const [line, column] = [Math.floor(k / columns), k % columns];
     const suffix = k === 0 ? "" : `${k + 1}`;
     const y = converted(depths(field), "length");
@@ -54,6 +55,7 @@ function profilePlot(fields) {
       ...axisStyle(titled(field.title, field.quantity)),
       domain: [column * (width + gap), column * (width + gap) + width],
       anchor: `y${suffix}`, nticks: 5,
+      ...(name === "side" ? { range: [0, 1.5 * fieldRange(field)[1] * factorOf(field.quantity)] } : {}),
     };
     layout[`yaxis${suffix}`] = {
       ...axisStyle(column === 0 ? titled("Depth along the string", "length") : ""),

@@ -18,7 +18,7 @@ function addSummary() {
   if (metadata.tiles.length)
     section.append(element("p", { class: "hint" }, "At the last record; the greatest stress is that of the whole run."));
   section.append(tiles, facts);
-  addPicture(section, () => {
+  addWords(section, () => {
     tiles.replaceChildren(...metadata.tiles.map((item) =>
       element("div", { class: "tile" },
         element("div", { class: "label" }, item.label),

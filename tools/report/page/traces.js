@@ -43,7 +43,7 @@ function addComparison() {
     "interpolated at the measured times.");
   const table = element("div", { class: "compare" });
   section.append(table);
-  addPicture(table, () => {
+  addWords(table, () => {
     const head = ["", "mean", "least", "greatest", "difference of means", "correlation", "points"];
     const rows = metadata.measured.flatMap((channel) => {
       const text = (value) => withUnit(value, channel.quantity, 5);
