@@ -39,10 +39,10 @@ std::string read_title(const Table& root, const std::filesystem::path& path) {
 Case read_case(const std::filesystem::path& path,
                const std::vector<std::pair<std::string, std::string>>& overrides) {
     CaseDocument document = load_case_document(path, overrides);
-    const Table root(document.root, "",
-                     {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit",
-                      "contact", "damping", "initial", "equilibrium", "torque_drag", "run",
-                      "output"});
+    const Table root(
+        document.root, "",
+        {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit", "contact", "damping",
+         "initial", "equilibrium", "torque_drag", "run", "output"});
     const std::filesystem::path folder = path.parent_path();
 
     Case result;
