@@ -14,7 +14,6 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -29,6 +28,7 @@
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
 #include "numerics/kernel.hpp"
+#include "processor_clock.hpp"
 
 namespace drillstrand::bench {
 namespace {
@@ -46,13 +46,13 @@ class Stopwatch {
     explicit Stopwatch(int threads) : threads_(threads) {}
     [[nodiscard]] double seconds() const {
         if (threads_ > 1) return seconds_since(start_);
-        return static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;
+        return processor_seconds() - processor_start_;
     }
 
   private:
     int threads_;
     Clock::time_point start_ = Clock::now();
-    std::clock_t processor_start_ = std::clock();
+    double processor_start_ = processor_seconds();
 };
 
 double median(std::vector<double> values) {

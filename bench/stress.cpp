@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -16,6 +15,7 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
+#include "processor_clock.hpp"
 #include "stress_scenes.hpp"
 
 namespace drillstrand::bench {
@@ -125,16 +125,9 @@ constexpr const char* header =
     "fluid_density,viscosity,internal_damping,external_damping,kelvin_voigt,outcome,time_s,steps,"
     "residual,gain,penetration_m,impacts,slips,processor_s,why";
 
-/// Of this thread, which does all the work of its scene.
-double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 std::string report(int index, const Options& options) {
     const Case input = stress_scene(options.seed, index, options.duration);
-    const double start = processor_seconds();
+    const double start = processor_seconds();  // this thread does all the work of its scene
     Watch watch;
     StepStatistics statistics;
     const Scene scene = build_scene(input);
