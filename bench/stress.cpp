@@ -93,12 +93,11 @@ std::string describe(const Case& input) {
     const bool free = input.head.motion == HeadMotion::free;
     double least = 1e9;
     double most = 0;
-    double length = 0;
     for (const Component& c : input.string.components) {
         least = std::min(least, c.outer_diameter);
         most = std::max(most, c.outer_diameter);
-        length += c.length;
     }
+    const double length = total_length(input.string);
     const FluidCase fluid = input.fluid.value_or(FluidCase{});
     return fmt::format(
         "{:.0f},{},{},{:.4f},{:.4f},{:.2f},{},{:.1f},{},{:.0f},{:.1f},{},{:.2f},{:.2f},{:.2f},"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drillstrand/drill_string.hpp"
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
 
@@ -55,7 +56,7 @@ Case read_case(const std::filesystem::path& path,
     result.fluid = read_fluid(root);
     const StringInput string = read_string(root, folder);
     result.string = string.string;
-    result.mesh = read_mesh(root, string.length());
+    result.mesh = read_mesh(root, total_length(string.string));
     result.head = read_head(root);
     result.bit = read_bit(root, result.string);
     result.contact = read_contact(root);

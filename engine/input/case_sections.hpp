@@ -16,8 +16,6 @@ struct StringInput {
     StringCase string;
     std::vector<SourceLocation> component_places;
     SourceLocation where;
-
-    [[nodiscard]] double length() const;  ///< m
 };
 
 // Paths in the tables are relative to `folder`.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "input/case_sections.hpp"
 
@@ -13,12 +12,6 @@ namespace {
 constexpr int most_segments = 10'000'000;
 
 }  // namespace
-
-double StringInput::length() const {
-    return std::accumulate(
-        string.components.begin(), string.components.end(), 0.0,
-        [](double sum, const Component& component) { return sum + component.length; });
-}
 
 StringInput read_string(const Table& root, const std::filesystem::path& folder) {
     const Value value = root.require("string", "a table of at least one [[string.component]]");

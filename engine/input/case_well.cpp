@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "drillstrand/drill_string.hpp"
 #include "input/case_sections.hpp"
 #include "input/survey.hpp"
 #include "input/wording.hpp"
@@ -112,7 +113,7 @@ std::optional<FluidCase> read_fluid(const Table& root) {
 void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head) {
     const double start = well.survey.front().measured_depth;
     const double well_length = well.survey.back().measured_depth - start;
-    const double string_length = input.length();
+    const double string_length = total_length(input.string);
     if (string_length > well_length * (1 + length_rounding)) {
         throw InputError(input.where,
                          fmt::format("the string is {:.9g} m long; expected at most {:.9g} m, "

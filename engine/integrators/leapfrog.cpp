@@ -50,12 +50,6 @@ void write_end_load(BlockTable& segments, std::ptrdiff_t ghost, const Eigen::Vec
         write(segments, row, ghost, Eigen::Vector3d::Zero());
 }
 
-/// The shortest turn from one unit vector to another, applied to v.
-Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
-                        const Eigen::Vector3d& to) {
-    return v - (v.dot(to) / (1 + from.dot(to))) * (from + to);
-}
-
 }  // namespace
 
 Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit,

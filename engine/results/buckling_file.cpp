@@ -77,12 +77,7 @@ void write_buckling(const fs::path& path, const BucklingResult& result) {
 }
 
 bool holds_buckling(const fs::path& path) {
-    hdf5::require_result_file(path);
-    return hdf5::attempt(path, "read", [&] {
-        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
-                              hdf5::file_access());
-        return file.nameExists(group_name);
-    });
+    return hdf5::holds_group(path, group_name);
 }
 
 BucklingResult read_buckling(const fs::path& path) {
@@ -92,10 +87,7 @@ BucklingResult read_buckling(const fs::path& path) {
                               hdf5::file_access());
         BucklingResult result;
         const H5::Group root = file.openGroup("/");
-        hdf5::read_attribute(root, "title", result.header.title);
-        hdf5::read_attribute(root, "case", result.header.case_text);
-        hdf5::read_attribute(root, "version", result.version);
-        hdf5::read_attribute(root, "commit", result.commit);
+        hdf5::read_origin(root, result.header, result.version, result.commit);
         std::string tip_weight;
         hdf5::read_attribute(root, "tip_weight", tip_weight);
         result.tip_weight = tip_weight == "full" ? TipWeight::full : TipWeight::half;

@@ -67,16 +67,21 @@ H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integ
     return dataset;
 }
 
+void write_values(H5::H5File& file, const std::string& path, bool integer,
+                  const std::vector<hsize_t>& shape, const std::string& units,
+                  const std::string& description, const std::vector<double>& values) {
+    const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
+    create_dataset(file, path, integer, space, H5::DSetCreatPropList::DEFAULT, units, description)
+        .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+}
+
 void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header) {
-    const hsize_t segments = header.segment_s.size();
     for (const auto& entry : mesh_datasets()) {
-        const auto dimensions = shape(entry, segments, 0);
-        const H5::DataSpace space(static_cast<int>(dimensions.size()), dimensions.data());
         std::vector<double> values;
         entry.append(header, values);
-        create_dataset(file, parent + entry.path, entry.integer, space,
-                       H5::DSetCreatPropList::DEFAULT, entry.units, entry.description)
-            .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+        write_values(file, parent + entry.path, entry.integer,
+                     shape(entry, header.segment_s.size(), 0), entry.units, entry.description,
+                     values);
     }
 }
 

@@ -64,6 +64,11 @@ H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integ
                            const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
                            const std::string& units, const std::string& description);
 
+/// Creates a dataset of that shape, uncompressed, and writes all its values.
+void write_values(H5::H5File& file, const std::string& path, bool integer,
+                  const std::vector<hsize_t>& shape, const std::string& units,
+                  const std::string& description, const std::vector<double>& values);
+
 /// Writes the datasets of mesh_datasets() below the group `parent` ("" for the root), where the
 /// group mesh exists.
 void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header);

@@ -19,6 +19,22 @@ void require_result_file(const std::filesystem::path& path) {
                           ": not a result file; 'drillstrand run CASE.toml' writes one");
 }
 
+bool holds_group(const std::filesystem::path& path, const std::string& group) {
+    require_result_file(path);
+    return attempt(path, "read", [&] {
+        return H5::H5File(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, file_access())
+            .nameExists(group);
+    });
+}
+
+void read_origin(const H5::Group& root, ResultHeader& header, std::string& version,
+                 std::string& commit) {
+    read_attribute(root, "title", header.title);
+    read_attribute(root, "case", header.case_text);
+    read_attribute(root, "version", version);
+    read_attribute(root, "commit", commit);
+}
+
 std::vector<double> read_values(const H5::H5File& file, const std::string& dataset_path) {
     const H5::DataSet dataset = file.openDataSet(dataset_path);
     std::vector<double> values(

@@ -13,6 +13,14 @@ namespace drillstrand::hdf5 {
 /// Throws ResultError where there is no file to read, or one that is not HDF5.
 void require_result_file(const std::filesystem::path& path);
 
+/// Whether a result file holds a group of that name. Throws ResultError where there is none to
+/// read.
+bool holds_group(const std::filesystem::path& path, const std::string& group);
+
+/// Reads what write_origin() wrote.
+void read_origin(const H5::Group& root, ResultHeader& header, std::string& version,
+                 std::string& commit);
+
 /// All values of a dataset, in the order of the file.
 std::vector<double> read_values(const H5::H5File& file, const std::string& dataset_path);
 

@@ -24,10 +24,7 @@ std::vector<Record> ascending(std::vector<Record> records) {
 void read_attributes(const H5::Group& root, Result& result) {
     std::int64_t threads = 0;
     ResultFooter& footer = result.footer;
-    hdf5::read_attribute(root, "title", result.header.title);
-    hdf5::read_attribute(root, "case", result.header.case_text);
-    hdf5::read_attribute(root, "version", result.version);
-    hdf5::read_attribute(root, "commit", result.commit);
+    hdf5::read_origin(root, result.header, result.version, result.commit);
     hdf5::read_attribute(root, "integrator", result.header.integrator);
     hdf5::read_attribute(root, "threads", threads);
     result.header.threads = static_cast<int>(threads);

@@ -9,21 +9,13 @@ namespace drillstrand::hdf5 {
 
 namespace {
 
-void write_values(H5::H5File& file, const std::string& path, std::vector<hsize_t> shape,
-                  const std::vector<double>& values, const std::string& units,
-                  const std::string& description) {
-    const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
-    create_dataset(file, path, false, space, H5::DSetCreatPropList::DEFAULT, units, description)
-        .write(values.data(), H5::PredType::NATIVE_DOUBLE);
-}
-
 void write_string(H5::H5File& file, const ResultHeader& header) {
     file.createGroup("/string");
     for (const auto& entry : string_datasets()) {
         std::vector<double> values;
         entry.append(header, values);
-        write_values(file, entry.path, shape(entry, header.segment_s.size(), 0), values,
-                     entry.units, entry.description);
+        write_values(file, entry.path, entry.integer, shape(entry, header.segment_s.size(), 0),
+                     entry.units, entry.description, values);
     }
 }
 
@@ -40,7 +32,7 @@ void write_well(H5::H5File& file, const WellCase& well) {
         const std::vector<double> values = entry.values(well);
         std::vector<hsize_t> extents{values.size() / entry.components};
         if (entry.components > 1) extents.push_back(entry.components);
-        write_values(file, entry.path, extents, values, entry.units, entry.description);
+        write_values(file, entry.path, false, extents, entry.units, entry.description, values);
     }
 }
 

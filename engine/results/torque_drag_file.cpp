@@ -26,20 +26,17 @@ std::string profile_group_of(TorqueDragMotion motion) {
     return group_of(motion) + "/profile";
 }
 
-void write_values(H5::H5File& file, const std::string& path, bool integer, const std::string& units,
-                  const std::string& description, const std::vector<double>& values) {
-    const hsize_t size = values.size();
-    hdf5::create_dataset(file, path, integer, H5::DataSpace(1, &size),
-                         H5::DSetCreatPropList::DEFAULT, units, description)
-        .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+void write_list(H5::H5File& file, const std::string& path, bool integer, const std::string& units,
+                const std::string& description, const std::vector<double>& values) {
+    hdf5::write_values(file, path, integer, {values.size()}, units, description, values);
 }
 
 void write_table(H5::H5File& file, const std::string& group,
                  const std::vector<TorqueDragDataset>& table, const TorqueDragCurve& curve) {
     H5::Group created = file.createGroup(group);
     for (const TorqueDragDataset& entry : table)
-        write_values(file, group + "/" + entry.name, entry.integer, entry.units, entry.description,
-                     entry.values(curve));
+        write_list(file, group + "/" + entry.name, entry.integer, entry.units, entry.description,
+                   entry.values(curve));
 }
 
 void write_curve(H5::H5File& file, const TorqueDragCurve& curve) {
@@ -56,11 +53,11 @@ void write_file(const fs::path& path, const TorqueDragResult& result) {
     file.createGroup(group_name);
     file.createGroup(group_name + "/mesh");
     hdf5::write_mesh(file, group_name, result.header);
-    write_values(file, group_name + "/bit_depth", false, "m", "measured depth of the bit",
-                 result.study.bit_depth);
-    write_values(file, group_name + "/measured_depth", false, "m",
-                 "measured depth of the middles of the segments with the bit at its last depth",
-                 result.study.measured_depth);
+    write_list(file, group_name + "/bit_depth", false, "m", "measured depth of the bit",
+               result.study.bit_depth);
+    write_list(file, group_name + "/measured_depth", false, "m",
+               "measured depth of the middles of the segments with the bit at its last depth",
+               result.study.measured_depth);
     for (const TorqueDragCurve& curve : result.study.curves)
         write_curve(file, curve);
     hdf5::write_attribute(root, "status", std::string("complete"));
@@ -103,12 +100,7 @@ void write_torque_drag(const fs::path& path, const TorqueDragResult& result) {
 }
 
 bool holds_torque_drag(const fs::path& path) {
-    hdf5::require_result_file(path);
-    return hdf5::attempt(path, "read", [&] {
-        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
-                              hdf5::file_access());
-        return file.nameExists(group_name);
-    });
+    return hdf5::holds_group(path, group_name);
 }
 
 TorqueDragResult read_torque_drag(const fs::path& path) {
@@ -118,10 +110,7 @@ TorqueDragResult read_torque_drag(const fs::path& path) {
                               hdf5::file_access());
         TorqueDragResult result;
         const H5::Group root = file.openGroup("/");
-        hdf5::read_attribute(root, "title", result.header.title);
-        hdf5::read_attribute(root, "case", result.header.case_text);
-        hdf5::read_attribute(root, "version", result.version);
-        hdf5::read_attribute(root, "commit", result.commit);
+        hdf5::read_origin(root, result.header, result.version, result.commit);
         hdf5::read_mesh(file, group_name, result.header);
         result.study.bit_depth = hdf5::read_values(file, group_name + "/bit_depth");
         result.study.measured_depth = hdf5::read_values(file, group_name + "/measured_depth");

@@ -49,6 +49,12 @@ struct Pose {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
+/// v taken along by the shortest turn from one unit vector to another.
+inline Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
+                               const Eigen::Vector3d& to) {
+    return v - (v.dot(to) / (1 + from.dot(to))) * (from + to);
+}
+
 /// Poses of all nodes of a rod, from the head's pose, the segments' lengths (m) and strains.
 std::vector<Pose> poses_from_strains(const Pose& head, const std::vector<double>& length,
                                      const std::vector<Vector6>& strain);

@@ -1,45 +1,24 @@
 #include "statics/bit_load.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <optional>
 
 #include "forces/bit.hpp"
-#include "forces/well_frame.hpp"
 #include "statics/skew.hpp"
+#include "statics/well_section.hpp"
 
 namespace drillstrand {
 
-namespace {
-
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// Down the well at a point, and how this turns with the point.
-struct WellDirection {
-    Vector3d l;
-    Matrix3d by_position = Matrix3d::Zero();
-};
-
-WellDirection well_direction(const Vector3d& x, const WellArc& arc) {
-    const WellFrame frame = well_frame(triple(x), {triple(arc.start), triple(arc.tangent),
-                                                   triple(arc.normal), arc.curvature, arc.radius});
-    const double a_c = frame.along * arc.curvature;
-    const double rho2 = a_c * a_c + frame.toward * frame.toward;
-    const Vector3d l = vector(frame.l);
-    const Vector3d inward = (frame.toward * arc.normal - a_c * arc.tangent) / std::sqrt(rho2);
-    return {l, arc.curvature / std::sqrt(rho2) * inward * l.transpose()};
-}
-
-}  // namespace
 
 BitLoad bit_load(const Scene& scene, const BitLoadCase& loads, const SegmentEnd& bit,
                  const WellArc* arc) {
     BitMotion motion;
     const Vector3d& t = bit.director;
     motion.frame << t, bit.material, t.cross(bit.material);
-    WellDirection well{t};
-    if (arc != nullptr) well = well_direction(bit.position, *arc);
-    motion.well_direction = well.l;
+    std::optional<WellSection> well;
+    if (arc != nullptr) well = well_section(bit.position, *arc);
+    motion.well_direction = well ? well->l : t;
     motion.rotation_rate = loads.rotation_rate;
     motion.radius = scene.mesh.node.back().outer_radius;
     const Vector6 stress = bit_stress(scene.bit, motion, loads.time);
@@ -49,10 +28,10 @@ BitLoad bit_load(const Scene& scene, const BitLoadCase& loads, const SegmentEnd&
     result.load << loads.factor * (motion.frame * stress.tail<3>()),
         loads.factor * (motion.frame * stress.head<3>());
     const double weight = loads.factor * scene.bit.weight(loads.time);
-    if (scene.bit.direction == BitDirection::follower || arc == nullptr)
+    if (scene.bit.direction == BitDirection::follower || !well)
         result.tangent.topRightCorner<3, 3>() = weight * skew(t);
     else
-        result.tangent.topLeftCorner<3, 3>() = -weight * well.by_position;
+        result.tangent.topLeftCorner<3, 3>() = -weight * well->l_by_position();
     // couples but the dead one turn with the section
     const Vector3d turning =
         result.load.tail<3>() - loads.factor * scene.bit.dead_moment(loads.time);

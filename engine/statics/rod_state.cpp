@@ -4,16 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "rod/pose.hpp"
+
 namespace drillstrand {
 
 namespace {
 
 using Eigen::Vector3d;
-
-/// v taken along by the shortest turn from one unit vector to another.
-Vector3d carried(const Vector3d& v, const Vector3d& from, const Vector3d& to) {
-    return v - (v.dot(to) / (1 + from.dot(to))) * (from + to);
-}
 
 Vector3d turned_about(const Vector3d& v, const Vector3d& axis, double angle) {
     return std::cos(angle) * v + std::sin(angle) * axis.cross(v);

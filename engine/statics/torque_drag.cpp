@@ -248,9 +248,7 @@ std::vector<Answer> answers_at(const Case& input, double bit_depth) {
 std::vector<double> depths_of(const Case& input) {
     if (!input.torque_drag.depths.empty()) return input.torque_drag.depths;
     constexpr int count = 20;
-    double length = 0;
-    for (const Component& component : input.string.components)
-        length += component.length;
+    const double length = total_length(input.string);
     std::vector<double> depths;
     for (int k = 1; k <= count; ++k)
         depths.push_back(input.well->survey.front().measured_depth + length * k / count);

@@ -9,17 +9,10 @@ namespace drillstrand {
 
 namespace {
 
-double length_of(const StringCase& string) {
-    double sum = 0;
-    for (const Component& component : string.components)
-        sum += component.length;
-    return sum;
-}
-
 /// The lower part of a string of that length, or the string with a longer top component.
 StringCase string_of_length(const StringCase& string, double length) {
     StringCase result = string;
-    double excess = length_of(string) - length;
+    double excess = total_length(string) - length;
     auto top = result.components.begin();
     while (top + 1 != result.components.end() && excess >= top->length) {
         excess -= top->length;
@@ -58,7 +51,7 @@ SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOpti
 
 Case case_at_depth(const Case& input, double bit_depth) {
     const double length = bit_depth - input.well->survey.front().measured_depth;
-    const double segment = length_of(input.string) / input.mesh.segments;
+    const double segment = total_length(input.string) / input.mesh.segments;
     Case result = input;
     result.string = string_of_length(input.string, length);
     result.mesh.segments = std::max(1, static_cast<int>(std::lround(length / segment)));

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "forces/contact.hpp"
-#include "forces/well_frame.hpp"
 #include "statics/skew.hpp"
+#include "statics/well_section.hpp"
 
 namespace drillstrand {
 
@@ -14,29 +14,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The well frame as vectors, with what its derivatives need.
-struct Section {
-    explicit Section(const WallSite& site) {
-        const WellArc& arc = *site.arc;
-        const WellFrame frame =
-            well_frame(triple(site.position), {triple(arc.start), triple(arc.tangent),
-                                               triple(arc.normal), arc.curvature, arc.radius});
-        r = vector(frame.r);
-        l = vector(frame.l);
-        t = vector(frame.t);
-        eccentricity = frame.eccentricity;
-        depth = penetration(frame.eccentricity, arc.radius, site.pipe_radius);
-        const double a_c = frame.along * arc.curvature;
-        const double rho = std::hypot(a_c, frame.toward);
-        inward = (frame.toward * arc.normal - a_c * arc.tangent) / rho;
-        turning = arc.curvature / rho;
-    }
-    Vector3d r, l, t;
-    Vector3d inward;      ///< toward the centre of the bend
-    double turning;       ///< turn of the section per displacement along l (1/m)
-    double eccentricity;  ///< m
-    double depth;         ///< penetration (m)
-};
+double depth_of(const WallSite& site, const WellSection& section) {
+    return penetration(section.eccentricity, site.arc->radius, site.pipe_radius);
+}
 
 }  // namespace
 
@@ -53,27 +33,29 @@ FrictionShares friction_shares(const ContactCase& contact, const SteadyMotion& m
 
 WallLoad wall_load(const WallSite& site) {
     WallLoad result;
-    const Section s(site);
-    if (s.depth <= 0) return result;
-    const double normal = site.stiffness * s.depth;
+    const WellSection s = well_section(site.position, *site.arc);
+    const double depth = depth_of(site, s);
+    if (depth <= 0) return result;
+    const double normal = site.stiffness * depth;
     result.friction = -normal * (site.friction.axial * s.l + site.friction.azimuthal * s.t);
     result.couple = -normal * site.pipe_radius * site.friction.azimuthal;
     result.load << normal * s.r + result.friction, result.couple * site.director;
-    result.energy = 0.5 * normal * s.depth;
+    result.energy = 0.5 * normal * depth;
     return result;
 }
 
 Matrix6 wall_tangent(const WallSite& site) {
     Matrix6 d = Matrix6::Zero();
-    const Section s(site);
-    if (s.depth <= 0) return d;
-    const double normal = site.stiffness * s.depth;
+    const WellSection s = well_section(site.position, *site.arc);
+    const double depth = depth_of(site, s);
+    if (depth <= 0) return d;
+    const double normal = site.stiffness * depth;
     const FrictionShares& rub = site.friction;
 
     // the penetration grows by -r . dx; the section turns by `turning` l . dx about its own t axis
     const Matrix3d dr = -s.turning * s.r.dot(s.inward) * s.l * s.l.transpose() -
                         s.t * s.t.transpose() / s.eccentricity;
-    const Matrix3d dl = s.turning * s.inward * s.l.transpose();
+    const Matrix3d dl = s.l_by_position();
     Matrix3d dt;
     for (Eigen::Index i = 0; i < 3; ++i)
         dt.col(i) = dr.col(i).cross(s.l) + s.r.cross(dl.col(i));

@@ -9,27 +9,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
+
+#include "support/dice.hpp"
 
 namespace drillstrand {
 namespace {
 
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    /// Evenly between two numbers.
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-    /// Evenly in the logarithm.
-    double decades(double low, double high) {
-        return std::exp(between(std::log(low), std::log(high)));
-    }
-    double sign() { return between(-1, 1) < 0 ? -1 : 1; }
-
-  private:
-    std::mt19937 engine_;
-};
+using test::Dice;
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 

@@ -39,13 +39,6 @@ StringCase random_string(std::mt19937& random) {
     return string;
 }
 
-double total_length(const StringCase& string) {
-    double total = 0;
-    for (const Component& component : string.components)
-        total += component.length;
-    return total;
-}
-
 /// `zero` plus the sum over the components of their length times a property.
 template <typename Value, typename Property>
 Value integral_over_components(const StringCase& string, Value zero, Property property) {

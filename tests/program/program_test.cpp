@@ -322,6 +322,9 @@ TEST_F(Program, EquilibriumPrintsWhatHoldsTheStringAndWritesAFileOnlyWhenAsked) 
     ASSERT_EQ(result.profiles.size(), 1U);
     EXPECT_EQ(result.series[0].energy.kinetic, 0);
     EXPECT_EQ(result.profiles[0].position.back(), result.series[0].bit_position);
+    EXPECT_EQ(result.header.integrator, "equilibrium");
+    EXPECT_EQ(result.header.outer_radius.size(), result.header.node_s.size())
+        << "the string is not in the file";
 }
 
 TEST_F(Program, EquilibriumThatCannotBeIsOneLine) {

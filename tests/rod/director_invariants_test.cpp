@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "drillstrand/step_bound.hpp"
 #include "rod/director_plain.hpp"
 #include "rod/director_steps.hpp"
+#include "support/dice.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand {
@@ -20,22 +20,9 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using std::numbers::pi;
+using test::Dice;
 using test::PlainNode;
 using test::PlainRod;
-
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-    Vector3d vector(double size) {
-        return size * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1));
-    }
-
-  private:
-    std::mt19937 engine_;
-};
 
 /// 19.4 m of two pipes in free space, without weight; the joint lies inside a segment.
 Scene free_scene(bool curved, const std::string& more = "") {
@@ -419,18 +406,11 @@ test::Run falling_rod(const std::string& own, int segments) {
                      std::to_string(segments));
 }
 
-double largest_stress(const Profile& profile) {
-    double largest = 0;
-    for (const Vector6& stress : profile.stress)
-        largest = std::max(largest, stress.cwiseAbs().maxCoeff());
-    return largest;
-}
-
 TEST(RigidMotion, BentRodThatIsStressFreeFallsFreelyWithoutStress) {
     const test::Run run = falling_rod("[0, 0.02, 0.05]", 20);
     const Profile& start = run.profiles.front();
     const Profile& end = run.end();
-    EXPECT_LT(largest_stress(end), 1e-3);  // N, N m: rounding of its stiffness, 1e9 N
+    EXPECT_LT(test::largest_stress(end), 1e-3);  // N, N m: rounding of its stiffness, 1e9 N
     for (std::size_t k = 0; k < end.position.size(); ++k) {
         const Vector3d fall = end.position[k] - start.position[k];
         EXPECT_LT((fall - Vector3d(0, 0, 9.81 / 2)).norm(), 1e-9);
@@ -440,8 +420,10 @@ TEST(RigidMotion, BentRodThatIsStressFreeFallsFreelyWithoutStress) {
 
 TEST(RigidMotion, RodThatIsBentAndTwistedByItselfFallsWithoutStressToSecondOrderInTheMesh) {
     // a segment's own bend is the mean of those of its ends, whose frames differ by the twist
-    const double coarse = largest_stress(falling_rod("[0.03, 0.02, -0.05]", 20).profiles.front());
-    const double fine = largest_stress(falling_rod("[0.03, 0.02, -0.05]", 40).profiles.front());
+    const double coarse =
+        test::largest_stress(falling_rod("[0.03, 0.02, -0.05]", 20).profiles.front());
+    const double fine =
+        test::largest_stress(falling_rod("[0.03, 0.02, -0.05]", 40).profiles.front());
     EXPECT_LT(coarse, 1e-3 * 0.05 * 2e6);  // of EI times the bend
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
 }

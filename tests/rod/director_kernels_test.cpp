@@ -6,36 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "rod/director_plain.hpp"
 #include "rod/director_steps.hpp"
+#include "support/dice.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand {
 namespace {
 
 using Eigen::Vector3d;
+using test::Dice;
 using test::EndLoad;
 using test::PlainNode;
 using test::PlainRod;
 using test::StepAccount;
-
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-    Vector3d vector(double size) {
-        return size * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1));
-    }
-
-  private:
-    std::mt19937 engine_;
-};
 
 /// Three unlike components; the joints lie inside segments.
 std::string three_components(bool curved, double modulus) {

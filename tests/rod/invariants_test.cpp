@@ -44,13 +44,6 @@ INSTANTIATE_TEST_SUITE_P(By, RigidMotion, both, name_of);
 INSTANTIATE_TEST_SUITE_P(By, Objectivity, both, name_of);
 INSTANTIATE_TEST_SUITE_P(By, Symmetry, both, name_of);
 
-double largest_stress(const Profile& profile) {
-    double largest = 0;
-    for (const Vector6& stress : profile.stress)
-        largest = std::max(largest, stress.cwiseAbs().maxCoeff());
-    return largest;
-}
-
 TEST_P(RigidMotion, StraightRodFallsFreelyWithoutStress) {
     const test::Run run = test::run("gravity = 9.81\n" + pipe + R"(
         [head]
@@ -69,7 +62,7 @@ TEST_P(RigidMotion, StraightRodFallsFreelyWithoutStress) {
     const Profile& start = run.profiles.front();
     const Profile& end = run.end();
     // rounding of strains, or of positions, times a stiffness of 1e9 N; the weight is 8 kN
-    EXPECT_LT(largest_stress(end), GetParam() == "leapfrog" ? 1e-3 : 1e-5);
+    EXPECT_LT(test::largest_stress(end), GetParam() == "leapfrog" ? 1e-3 : 1e-5);
     for (std::size_t k = 0; k < end.position.size(); ++k) {
         const Vector3d fall = end.position[k] - start.position[k];
         EXPECT_LT((fall - Vector3d(0, 0, 9.81 / 2)).norm(), 1e-9);
@@ -110,7 +103,7 @@ TEST_P(RigidMotion, RodStruckAlongItsAxisKeepsTheMomentumOfTheBlow) {
     const double within = GetParam() == "leapfrog" ? 2e-3 : 1e-4;
     EXPECT_NEAR(after_blow[0], 10, 10 * within);
     EXPECT_NEAR(after_blow[1], 4, 4 * within);
-    EXPECT_GT(largest_stress(run.end()), 100);  // the waves are still there
+    EXPECT_GT(test::largest_stress(run.end()), 100);  // the waves are still there
     for (std::size_t i = 1; i < run.profiles.size(); ++i) {
         const Eigen::Vector2d change = axial_momentum(run.profiles[i], 24) - after_blow;
         EXPECT_LT(change.cwiseAbs().maxCoeff(), 1e-12 * after_blow.norm());
@@ -182,7 +175,7 @@ TEST_P(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
         for (std::size_t i = 0; i < found.profiles.size(); ++i) {
             const Profile& a = straight.profiles[i];
             const Profile& b = found.profiles[i];
-            const double stress = largest_stress(a);
+            const double stress = test::largest_stress(a);
             for (std::size_t k = 0; k < a.position.size(); ++k) {
                 EXPECT_LT((b.position[k] - turn * a.position[k] - shift).norm(), 1e-9);
                 EXPECT_LT((b.director[k] - turn * a.director[k]).norm(), 1e-9);

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "drillstrand/case.hpp"
+#include "support/dice.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand::test {
@@ -71,19 +71,5 @@ inline std::string mesh(int segments) {
 inline WellCase well_through(std::vector<SurveyStation> survey, double diameter) {
     return {std::move(survey), {{1e9, diameter}}};
 }
-
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-    Eigen::Vector3d vector(double size) {
-        return size * Eigen::Vector3d(between(-1, 1), between(-1, 1), between(-1, 1));
-    }
-
-  private:
-    std::mt19937 engine_;
-};
 
 }  // namespace drillstrand::test

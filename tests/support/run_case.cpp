@@ -71,4 +71,11 @@ Run run(const std::string& toml) {
     return run(case_from(toml));
 }
 
+double largest_stress(const Profile& profile) {
+    double largest = 0;
+    for (const Vector6& stress : profile.stress)
+        largest = std::max(largest, stress.cwiseAbs().maxCoeff());
+    return largest;
+}
+
 }  // namespace drillstrand::test

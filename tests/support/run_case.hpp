@@ -23,6 +23,9 @@ struct Run {
     [[nodiscard]] const Profile& end() const { return profiles.back(); }
 };
 
+/// The largest component of the stresses (N m, N).
+double largest_stress(const Profile& profile);
+
 /// Runs a case to its end in this process. Throws what the engine throws.
 Run run(const Case& input);
 Run run(const std::string& toml);

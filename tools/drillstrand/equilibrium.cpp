@@ -99,12 +99,8 @@ void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium&
 
 void write(const fs::path& output, const Case& input, const Scene& scene, const Equilibrium& found,
            double seconds) {
-    ResultHeader header;
-    header.title = input.title;
-    header.case_text = input.text;
+    ResultHeader header = result_header(input, scene);
     header.integrator = "equilibrium";
-    header.node_s = scene.mesh.node_s;
-    header.segment_s = scene.mesh.segment_s;
     ResultWriter writer(output, header);
     writer.append(found.series);
     writer.append(found.profile);

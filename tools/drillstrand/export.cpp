@@ -6,11 +6,10 @@
 #include <system_error>
 
 #include "commands.hpp"
-#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/result_file.hpp"
-#include "drillstrand/torque_drag_file.hpp"
 #include "export_csv.hpp"
 #include "export_vtk.hpp"
+#include "output.hpp"
 
 namespace drillstrand::program {
 
@@ -32,10 +31,10 @@ fs::path folder_of(const ExportOptions& options) {
 }
 
 void refuse_other_results(const fs::path& path) {
-    if (holds_buckling(path) || holds_torque_drag(path))
-        throw UsageError(fmt::format(
-            "{}: this holds {}; export takes what drillstrand run or equilibrium wrote",
-            path.string(), holds_buckling(path) ? "buckling modes" : "torque and drag"));
+    if (const auto other = other_contents(path))
+        throw UsageError(
+            fmt::format("{}: this holds {}; export takes what drillstrand run or equilibrium wrote",
+                        path.string(), *other));
 }
 
 void make_folder(const fs::path& folder) {

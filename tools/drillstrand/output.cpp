@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include "commands.hpp"
+#include "drillstrand/buckling_file.hpp"
+#include "drillstrand/torque_drag_file.hpp"
 
 namespace drillstrand::program {
 
@@ -17,6 +19,12 @@ std::filesystem::path checked_output(const std::filesystem::path& output,
         throw UsageError(
             fmt::format("-o {}: that is the case file; name another file", output.string()));
     return output;
+}
+
+std::optional<std::string_view> other_contents(const std::filesystem::path& result) {
+    if (holds_buckling(result)) return "buckling modes";
+    if (holds_torque_drag(result)) return "torque and drag";
+    return std::nullopt;
 }
 
 }  // namespace drillstrand::program

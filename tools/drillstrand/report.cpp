@@ -7,12 +7,11 @@
 #include <thread>
 
 #include "commands.hpp"
-#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/measured.hpp"
 #include "drillstrand/result_file.hpp"
-#include "drillstrand/torque_drag_file.hpp"
 #include "drillstrand/units.hpp"
+#include "output.hpp"
 #include "report_compare.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
@@ -157,12 +156,10 @@ void follow(const ReportOptions& options, const std::optional<Measured>& measure
 
 /// Throws UsageError for files of other commands.
 void require_run(const fs::path& path) {
-    for (const auto& [is_other, what] : {std::pair{holds_buckling(path), "buckling modes"},
-                                         std::pair{holds_torque_drag(path), "torque and drag"}})
-        if (is_other)
-            throw UsageError(fmt::format(
-                "{}: holds {}, not a run over time; 'drillstrand info {}' says what is in it",
-                path.string(), what, path.string()));
+    if (const auto other = other_contents(path))
+        throw UsageError(fmt::format(
+            "{}: holds {}, not a run over time; 'drillstrand info {}' says what is in it",
+            path.string(), *other, path.string()));
 }
 
 }  // namespace
