@@ -13,18 +13,19 @@
 #include <string>
 #include <vector>
 
-#include "forces/bit.hpp"
 #include "forces/surroundings.hpp"
 #include "forces/well_frame.hpp"
 #include "rod/pose.hpp"
-#include "rod/strand.hpp"
+#include "rod/report.hpp"
+#include "rod/strand_state.hpp"
 
 namespace drillstrand::bench {
 
 namespace {
 
 // The vector of unknowns: momenta of node 0, stresses of segment 0, momenta of node 1, and so on.
-constexpr std::size_t stride = strand_rows;
+constexpr std::size_t stride = Table<StrandRow>::lines;
+constexpr std::size_t momenta = 6;  // lines of momenta, then those of stresses
 // Farthest unknowns that meet in one equation: momenta of neighbours, through the damping.
 constexpr sunindextype half_band = 17;
 constexpr sunindextype colours = 2 * half_band + 2;
@@ -93,20 +94,15 @@ struct ArkodeStrand::Solver {
     void precondition(double t, const double* y, double gamma);
     void follow_surroundings(double step);
 
-    [[nodiscard]] Pose head_pose(double t) const {
-        const double angle = scene.head.rotation.integral(t);
-        const Eigen::Matrix3d turn =
-            Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
-        return {scene.head_frame * turn, scene.head_position};
-    }
-
     const Scene& scene;
-    StrandModel model;
-    Surroundings surroundings;
+    StrandString string;
+    const StrandModel& model = string.model;
+    HeadState head;
+    Table<WallRow> wall;
     StrandWorkspace work;
-    BlockTable state;
-    BlockTable rate;
-    BlockTable held_pose;  ///< rows of the workspace that hold the pose
+    Table<StrandRow> state;
+    Table<StrandRow> rate;
+    Table<StrandWorkRow> held_pose;  ///< a copy of the workspace whose poses stay
     std::vector<Pose> block_start;
     std::size_t unknowns;
     std::int64_t evaluations = 0;
@@ -124,13 +120,13 @@ struct ArkodeStrand::Solver {
 
 ArkodeStrand::Solver::Solver(const Scene& the_scene, double tolerance, int order)
     : scene(the_scene),
-      model(the_scene),
-      surroundings(the_scene, positions(initial_poses(the_scene))),
-      work(static_cast<std::size_t>(the_scene.segments) + 1),
-      state(strand_rows, static_cast<std::size_t>(the_scene.segments) + 1),
+      string(the_scene),
+      head(string.head.start()),
+      wall(model.surroundings.wall_at(positions(initial_poses(the_scene)))),
+      work(model.segments + 1),
+      state(model.segments + 1),
       rate(state),
-      held_pose(StrandWorkspace::rows - StrandWorkspace::local_rotation,
-                static_cast<std::size_t>(the_scene.segments) + 1),
+      held_pose(work.table),
       block_start(work.table.blocks()),
       unknowns(stride * static_cast<std::size_t>(the_scene.segments) + 6) {
     if (scene.head.motion == HeadMotion::free)
@@ -206,21 +202,19 @@ ArkodeStrand::Solver::~Solver() {
 /// Unknowns into the engine's layout; the head's momentum is prescribed.
 void ArkodeStrand::Solver::read(const double* y, double t) {
     time = t;
-    for (std::size_t row = 0; row < strand_rows; ++row) {
-        const std::size_t entries = row < moment ? model.segments + 1 : model.segments;
-        double* values = state.row(row);
+    for (std::size_t row = 0; row < Table<StrandRow>::lines; ++row) {
+        const std::size_t entries = row < momenta ? model.segments + 1 : model.segments;
+        double* values = state.line(row);
         for (std::size_t k = 0; k < entries; ++k)
             values[k] = y[stride * k + row];
     }
-    for (std::size_t row = 0; row < 6; ++row)
-        state.row(row)[0] = 0.0;
-    state.row(angular_momentum)[0] = scene.mesh.node.front().polar_inertia * scene.head.rotation(t);
+    string.head.prescribe(state, t);
 }
 
 void ArkodeStrand::Solver::write_rate(double* y) const {
-    for (std::size_t row = 0; row < strand_rows; ++row) {
-        const std::size_t entries = row < moment ? model.segments + 1 : model.segments;
-        const double* values = rate.row(row);
+    for (std::size_t row = 0; row < Table<StrandRow>::lines; ++row) {
+        const std::size_t entries = row < momenta ? model.segments + 1 : model.segments;
+        const double* values = rate.line(row);
         for (std::size_t k = 0; k < entries; ++k)
             y[stride * k + row] = values[k];
     }
@@ -231,34 +225,26 @@ void ArkodeStrand::Solver::write_rate(double* y) const {
 void ArkodeStrand::Solver::evaluate(bool hold_pose) {
     const std::size_t blocks = work.table.blocks();
     segment_pass(model, state, rate, work, 0, blocks);
-    for (std::size_t row = 0; row < held_pose.rows(); ++row) {
-        double* now = work.table.row(StrandWorkspace::local_rotation + row);
-        double* kept = held_pose.row(row);
+    constexpr std::size_t first_of_pose = 12;  // lines of wrenches come before
+    for (std::size_t line = first_of_pose; line < Table<StrandWorkRow>::lines; ++line) {
+        double* now = work.table.line(line);
+        double* kept = held_pose.line(line);
         if (hold_pose) {
             std::copy_n(kept, model.segments + 1, now);
         } else {
             std::copy_n(now, model.segments + 1, kept);
         }
     }
-    if (!hold_pose) chain_blocks(head_pose(time), work, block_start, blocks);
+    if (!hold_pose) chain_blocks(string.head.pose(head, time), work, block_start, blocks);
     load_bit(time);
-    node_pass(model, state, rate, work, block_start, surroundings, 0, blocks);
+    node_pass(model, state, rate, work, block_start, wall, 0, blocks);
     ++evaluations;
 }
 
 void ArkodeStrand::Solver::load_bit(double t) {
     const std::size_t node = model.segments;
     const Pose pose = node_pose(work, block_start, node);
-    BitMotion motion;
-    motion.frame = pose.frame;
-    motion.well_direction =
-        surroundings.empty()
-            ? Eigen::Vector3d(pose.frame.col(0))
-            : drillstrand::vector(
-                  well_frame(triple(pose.position), surroundings.arc_numbers(node)).l);
-    motion.rotation_rate = scene.head.rotation(t);
-    motion.radius = scene.mesh.node.back().outer_radius;
-    set_bit_wrench(work, node, bit_stress(scene.bit, motion, t));
+    set_bit_wrench(work, node, string.bit.stress(bit_motion(string, wall, pose, 0, t), t));
 }
 
 /// Factors I - gamma J, J the Jacobian with the pose held. Unknowns that share no equation are
@@ -301,13 +287,14 @@ void ArkodeStrand::Solver::precondition(double t, const double* y, double gamma)
 
 /// Springs and arcs follow an accepted step with the motion at its end.
 void ArkodeStrand::Solver::follow_surroundings(double step) {
+    const Surroundings& surroundings = model.surroundings;
     if (surroundings.empty()) return;
     read(N_VGetArrayPointer(vector), time);
     evaluate(false);
     for (std::size_t block = 0; block < work.table.blocks(); ++block) {
-        if (!surroundings.changes(block)) continue;
-        surroundings.advance_springs(step, block);
-        surroundings.refresh_arcs({block, block + 1}, [&](std::size_t node) {
+        if (!surroundings.changes(wall, block)) continue;
+        surroundings.advance_springs(wall, step, block);
+        surroundings.refresh_arcs(wall, {block, block + 1}, [&](std::size_t node) {
             return node_pose(work, block_start, node).position;
         });
     }
@@ -346,8 +333,8 @@ Profile ArkodeStrand::profile() const {
         strain.emplace_back(stress.cwiseQuotient(stiffness_of(section)) +
                             stress_free_strain(section));
     }
-    profile.position =
-        positions(poses_from_strains(s.head_pose(s.time), s.scene.mesh.length, strain));
+    profile.position = positions(
+        poses_from_strains(s.string.head.pose(s.head, s.time), s.scene.mesh.length, strain));
     return profile;
 }
 

@@ -9,15 +9,17 @@ namespace drillstrand::bench {
 
 namespace {
 
-/// The value of one entry of a state, by its row in the engine's layout.
+constexpr std::size_t momenta = 6;  // lines of momenta, then those of stresses
+
+/// The value of one entry of a state, by its line in the engine's layout.
 const double& entry(const PlainState& state, std::size_t row, std::size_t k) {
-    const Six& v = row < moment ? state.momentum[k] : state.stress[k];
+    const Six& v = row < momenta ? state.momentum[k] : state.stress[k];
     const auto component = static_cast<Eigen::Index>(row % 3);
     return row % 6 < 3 ? v.angular[component] : v.linear[component];
 }
 
 std::size_t entries(const PlainState& state, std::size_t row) {
-    return row < moment ? state.momentum.size() : state.stress.size();
+    return row < momenta ? state.momentum.size() : state.stress.size();
 }
 
 }  // namespace
@@ -57,24 +59,24 @@ PlainState perturbed_state(const Scene& scene) {
     return state;
 }
 
-BlockTable to_table(const PlainState& state) {
-    BlockTable table(strand_rows, state.momentum.size());
-    for (std::size_t row = 0; row < strand_rows; ++row) {
+Table<StrandRow> to_table(const PlainState& state) {
+    Table<StrandRow> table(state.momentum.size());
+    for (std::size_t row = 0; row < Table<StrandRow>::lines; ++row) {
         for (std::size_t k = 0; k < entries(state, row); ++k)
-            table.row(row)[k] = entry(state, row, k);
+            table.line(row)[k] = entry(state, row, k);
     }
     return table;
 }
 
-double relative_difference(const PlainState& plain, const BlockTable& table) {
+double relative_difference(const PlainState& plain, const Table<StrandRow>& table) {
     double worst = 0;
-    for (std::size_t row = 0; row < strand_rows; ++row) {
+    for (std::size_t row = 0; row < Table<StrandRow>::lines; ++row) {
         double most = 0;
         double difference = 0;
         for (std::size_t k = 0; k < entries(plain, row); ++k) {
             const double value = entry(plain, row, k);
             most = std::max(most, std::abs(value));
-            difference = std::max(difference, std::abs(value - table.row(row)[k]));
+            difference = std::max(difference, std::abs(value - table.line(row)[k]));
         }
         if (most > 0) worst = std::max(worst, difference / most);
     }

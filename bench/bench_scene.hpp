@@ -17,10 +17,10 @@ Scene make_scene(int segments, const SceneFeatures& features, double offset = 0)
 PlainState perturbed_state(const Scene& scene);
 
 /// The same numbers in the engine's layout.
-BlockTable to_table(const PlainState& state);
+Table<StrandRow> to_table(const PlainState& state);
 
 /// Largest difference between momentum rates, stress rates (each row for itself) of the two
 /// layouts, relative to the row's largest rate.
-double relative_difference(const PlainState& plain, const BlockTable& table);
+double relative_difference(const PlainState& plain, const Table<StrandRow>& table);
 
 }  // namespace drillstrand::bench

@@ -50,10 +50,10 @@ struct Bench {
           plain(scene),
           model(scene),
           state(to_table(plain_state)),
-          rate(strand_rows, nodes()),
+          rate(nodes()),
           work(nodes()),
           block_start(work.table.blocks()),
-          surroundings(scene, positions()) {
+          wall(model.surroundings.wall_at(positions())) {
         segments_by_vectors();
         nodes_by_vectors();
         segments_plainly();
@@ -73,9 +73,7 @@ struct Bench {
         segment_pass(model, state, rate, work, 0, blocks());
         chain_blocks(head, work, block_start, blocks());
     }
-    void nodes_by_vectors() {
-        node_pass(model, state, rate, work, block_start, surroundings, 0, blocks());
-    }
+    void nodes_by_vectors() { node_pass(model, state, rate, work, block_start, wall, 0, blocks()); }
     void segments_plainly() { plain.segments(plain_state, plain_rate, head); }
     void nodes_plainly() { plain.nodes(plain_state, plain_rate, 0, nodes()); }
 
@@ -85,11 +83,11 @@ struct Bench {
     PlainState plain_rate;
     PlainStrand plain;
     StrandModel model;
-    BlockTable state;
-    BlockTable rate;
+    Table<StrandRow> state;
+    Table<StrandRow> rate;
     StrandWorkspace work;
     std::vector<Pose> block_start;
-    Surroundings surroundings;
+    Table<WallRow> wall;
 
   private:
     [[nodiscard]] std::vector<Eigen::Vector3d> positions() const {
@@ -152,7 +150,7 @@ void add_strand_kernels(int segments) {
             constexpr double dt = 1e-5;
             add_pass("springs", "vector", bench, [](Bench& b) {
                 for (std::size_t block = 0; block < b.blocks(); ++block)
-                    b.surroundings.advance_springs(dt, block);
+                    b.model.surroundings.advance_springs(b.wall, dt, block);
             });
             add_pass("springs", "plain", bench,
                      [](Bench& b) { b.plain.advance_springs(dt, 0, b.nodes()); });

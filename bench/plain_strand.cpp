@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "forces/bit.hpp"
+#include "rod/bit.hpp"
+#include "rod/report.hpp"
 #include "rod/strand.hpp"
 
 namespace drillstrand::bench {
@@ -194,7 +195,7 @@ Six PlainStrand::surroundings(std::size_t node, const Six& velocity) {
 
     c.leaves = foot_leaves(frame, c.end_cosine, c.reach);
     c.depth = penetration(frame.eccentricity, hole, n.pipe);
-    c.slip = slip_velocity(v_l, p.friction.cone * v_t, w_l, n.pipe);
+    c.slip = slip_velocity(v_l, p.friction.cone() * v_t, w_l, n.pipe);
     c.normal = 0;
     double force_r = 0;
     Tangential rub{0, 0};
@@ -243,7 +244,7 @@ void PlainStrand::advance_springs(double dt, std::size_t begin, std::size_t end)
     for (std::size_t k = begin; k < end; ++k) {
         Contact& c = contact_[k];
         const Tangential slip = {dt * c.slip.axial, dt * c.slip.azimuthal};
-        if (friction.cone > 0) {
+        if (friction.law == FrictionLaw::coulomb) {
             c.spring = coulomb_spring(c.spring, slip, c.normal, c.depth, friction);
         } else {
             c.spring = paper_spring(c.spring, slip, node_[k].normal_stiffness * c.depth, c.depth,
@@ -294,11 +295,8 @@ void PlainDormandPrince::evaluate(double time, PlainState& state, PlainState& ra
     state.momentum[0] = {{scene_.mesh.node.front().polar_inertia * spin, 0, 0}, Vector3d::Zero()};
     strand_.segments(state, rate, driven_head(scene_, time));
     const Matrix3d& frame = strand_.pose(bit).frame;
-    strand_.set_bit_stress(
-        bit_stress(scene_.bit,
-                   {frame, scene_.well ? vector(strand_.frame_at(bit).l) : frame.col(0), spin,
-                    scene_.mesh.node.back().outer_radius},
-                   time));
+    strand_.set_bit_stress(Bit(scene_).stress(
+        {frame, scene_.well ? vector(strand_.frame_at(bit).l) : frame.col(0), spin}, time));
     strand_.nodes(state, rate, 0, bit + 1);
     rate.momentum[0] = {};
 }

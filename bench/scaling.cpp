@@ -64,7 +64,7 @@ constexpr double far_ahead = 1e9;  // s; no run gets there
 
 /// A case with its integrator.
 struct Subject {
-    Subject(const std::string& path, int threads) : scene(build_scene(read_case(path))) {
+    Subject(const std::string& path, int threads) : scene(starting_scene(read_case(path))) {
         const Case input = read_case(path);
         IntegratorOptions options;
         options.kind = input.run.integrator;

@@ -129,7 +129,7 @@ std::string report(int index, const Options& options) {
     const double start = processor_seconds();  // this thread does all the work of its scene
     Watch watch;
     StepStatistics statistics;
-    const Scene scene = build_scene(input);
+    const Scene scene = starting_scene(input);
     const Outcome outcome = run_scene(scene, options, watch, statistics);
     const double spent = processor_seconds() - start;
     return fmt::format("{},{},{},{:.1f},{},{:.3g},{:.3g},{:.4g},{},{},{:.2f},\"{}\"\n", index,

@@ -176,7 +176,7 @@ void print(const Outcome& outcome, const std::vector<double>& walls,
 
 void run(const Job& job) {
     const Case input = read_case(job.path, overrides(job));
-    const Scene scene = build_scene(input);
+    const Scene scene = starting_scene(input);
     if (scene.segments % job.stations != 0 || scene.segments < 2) {
         throw std::invalid_argument(fmt::format("{} segments do not divide into {} stretches",
                                                 scene.segments, job.stations));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "drillstrand/case.hpp"
 #include "numerics/kernel.hpp"
 
 namespace drillstrand {
@@ -43,13 +44,16 @@ struct FrictionParameters {
     Tangential slide;          ///< dynamic coefficients
     Tangential fixed_inverse;  ///< 1 / static coefficient; 0 in a direction without friction
     Tangential slide_inverse;  ///< 1 / dynamic coefficient; 0 in a direction without friction
-    double cone;               ///< 1: forces never leave Coulomb's cone; 0: the paper's springs
+    FrictionLaw law;
+
+    /// 1 where forces never leave Coulomb's cone, 0 for the paper's springs; no branch.
+    [[nodiscard]] double cone() const { return static_cast<double>(law == FrictionLaw::coulomb); }
 };
 
 /// Coefficients and their inverses, so that kernels multiply. A coefficient of zero in a direction
 /// frees that direction.
 inline FrictionParameters friction_parameters(double stiffness, const Tangential& fixed,
-                                              const Tangential& slide, bool cone) {
+                                              const Tangential& slide, FrictionLaw law) {
     const auto inverse = [](double coefficient) {
         return coefficient > 0.0 ? 1.0 / coefficient : 0.0;
     };
@@ -59,7 +63,7 @@ inline FrictionParameters friction_parameters(double stiffness, const Tangential
             slide,
             {inverse(fixed.axial), inverse(fixed.azimuthal)},
             {inverse(slide.axial), inverse(slide.azimuthal)},
-            cone ? 1.0 : 0.0};
+            law};
 }
 
 /// The spring of a node: elongation (m) and whether the point slides (1) or sticks (0).
@@ -112,7 +116,7 @@ DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, doubl
     const Tangential inverse = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
     const Tangential elastic = {-p.stiffness * spring.elongation.axial,
                                 -p.stiffness * spring.elongation.azimuthal};
-    const double demand2 = p.cone * friction_demand2(elastic, inverse);
+    const double demand2 = p.cone() * friction_demand2(elastic, inverse);
     const double onto = scale_onto_cone(demand2, pressing);
     return scaled_where_rough(elastic, inverse, demand2 > pressing * pressing ? onto : 1.0);
 }

@@ -10,6 +10,7 @@
 #include "forces/contact.hpp"
 #include "forces/well_frame.hpp"
 #include "numerics/block_table.hpp"
+#include "state/rows.hpp"
 
 namespace drillstrand {
 
@@ -34,77 +35,69 @@ struct NodeContact {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< wall on pipe, space frame (N/m)
 };
 
-/// Per-node state of contact and friction, and the arc of well each node is in.
+/// The well and the wall as all steps of a run see them. What changes from step to step is a table
+/// of WallRow, which the caller holds.
 class Surroundings {
   public:
-    /// One line per array: name, meaning, unit, who writes it.
     enum Row : std::size_t {
-        start_x,           // first point of the arc's axis (m); refresh_arcs
-        start_y,           //
-        start_z,           //
-        tangent_x,         // its unit tangent; refresh_arcs
-        tangent_y,         //
-        tangent_z,         //
-        normal_x,          // its unit normal, toward the centre; refresh_arcs
-        normal_y,          //
-        normal_z,          //
-        curvature,         // of the arc (1/m); refresh_arcs
-        hole,              // radius of the hole (m); refresh_arcs
-        end_cosine,        // cosine of the arc's total angle; refresh_arcs
-        reach,             // its sine / curvature (m); refresh_arcs
-        concentric_axial,  // axial drag coefficient where it is concentric, else 0; refresh_arcs
-        pipe,              // outer radius of the pipe (m); constant
-        stiffness,         // k_el (Pa); constant
-        damping,           // eta_el (Pa s); constant
-        elongation_axial,  // friction spring along l (m); advance_springs
-        elongation_azimuthal,  // friction spring along t (m); advance_springs
-        sliding,               // 1 where the surface point slides, else 0; advance_springs
-        depth,                 // penetration (m); node kernel
-        normal,                // normal force (N/m); node kernel
-        slip_axial,            // velocity of the surface point along l (m/s); node kernel
-        slip_azimuthal,        // velocity of the surface point along t (m/s); node kernel
-        leaves,                // 1 where the foot has left the arc, else 0; node kernel
+        pipe,       // outer radius of the pipe (m)
+        stiffness,  // k_el (Pa)
+        damping,    // eta_el (Pa s)
         rows
     };
 
-    /// Empty without a well. Nodes start in the arcs that hold `position`, with slack springs.
-    Surroundings(const Scene& scene, const std::vector<Eigen::Vector3d>& position);
+    /// Empty without a well.
+    explicit Surroundings(const Scene& scene);
 
     [[nodiscard]] bool empty() const { return well_ == nullptr; }
-    [[nodiscard]] double* row(Row row) { return table_.row(row); }
-    [[nodiscard]] const double* row(Row row) const { return table_.row(row); }
+    [[nodiscard]] const double* row(Row row) const { return constants_.row(row); }
     [[nodiscard]] const SurroundingsParameters& parameters() const { return parameters_; }
+
+    /// Nodes in the arcs that hold `position`, with slack springs. No table without a well.
+    [[nodiscard]] Table<WallRow> wall_at(const std::vector<Eigen::Vector3d>& position) const;
+
+    /// Fills the rows that follow from the arcs of the nodes. Throws std::invalid_argument where
+    /// the well has no such arc.
+    void derive(Table<WallRow>& wall) const;
 
     /// Whether a node of a block touches the wall, still holds a stretched spring or has left its
     /// arc: whether there is anything to follow at the end of a step.
-    [[nodiscard]] bool changes(std::size_t block) const;
+    [[nodiscard]] bool changes(const Table<WallRow>& wall, std::size_t block) const;
 
     /// Friction springs of a block after the surface points slipped for dt (s).
-    void advance_springs(double dt, std::size_t block);
+    void advance_springs(Table<WallRow>& wall, double dt, std::size_t block) const;
 
     /// Moves the nodes of a span whose foot has left their arc (row `leaves`) to the arc that
     /// holds it. `position(k)` gives the node's position.
     template <class Position>
-    void refresh_arcs(BlockSpan span, const Position& position) {
-        const std::size_t end = std::min(span.end * block_size, arc_.size());
+    void refresh_arcs(Table<WallRow>& wall, BlockSpan span, const Position& position) const {
+        const std::size_t end = std::min(span.end * block_size, nodes_);
         for (std::size_t k = span.begin * block_size; k < end; ++k) {
-            if (table_.row(leaves)[k] > 0.5) enter_arc(k, well_->find_arc(position(k), arc_[k]));
+            if (wall.row(WallRow::leaves)[k] > 0.5)
+                enter_arc(wall, k, well_->find_arc(position(k), arc(wall, k)));
         }
     }
 
     /// Contact of a node at `position`, with the normal force of the last node kernel. Everything
     /// is zero without a well.
-    [[nodiscard]] NodeContact contact(std::size_t node, const Eigen::Vector3d& position) const;
+    [[nodiscard]] NodeContact contact(const Table<WallRow>& wall, std::size_t node,
+                                      const Eigen::Vector3d& position) const;
 
-    [[nodiscard]] ArcNumbers arc_numbers(std::size_t node) const;
+    /// Down the well at a node; `elsewhere` where there is no well.
+    [[nodiscard]] Eigen::Vector3d direction(const Table<WallRow>& wall, std::size_t node,
+                                            const Eigen::Vector3d& position,
+                                            const Eigen::Vector3d& elsewhere) const;
 
   private:
-    void enter_arc(std::size_t node, std::size_t arc);
+    [[nodiscard]] std::size_t arc(const Table<WallRow>& wall, std::size_t node) const {
+        return static_cast<std::size_t>(wall.row(WallRow::arc)[node]);
+    }
+    void enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t arc) const;
 
     const Well* well_ = nullptr;
+    std::size_t nodes_ = 0;
     SurroundingsParameters parameters_;
-    BlockTable table_;
-    std::vector<std::size_t> arc_;
+    BlockTable constants_;
 };
 
 }  // namespace drillstrand

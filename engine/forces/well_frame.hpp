@@ -1,40 +1,11 @@
 /// The cross section of the well through a node: engine/forces/README.md, "Well frame".
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 
-#include "numerics/kernel.hpp"
+#include "numerics/triple.hpp"
 
 namespace drillstrand {
-
-/// A vector in space, for kernels.
-struct Triple {
-    double x, y, z;
-};
-
-DRILLSTRAND_INLINE double dot(const Triple& a, const Triple& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-DRILLSTRAND_INLINE Triple cross(const Triple& a, const Triple& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-DRILLSTRAND_INLINE Triple combine(double a, const Triple& u, double b, const Triple& v) {
-    return {a * u.x + b * v.x, a * u.y + b * v.y, a * u.z + b * v.z};
-}
-
-DRILLSTRAND_INLINE Triple scaled(double a, const Triple& v) {
-    return {a * v.x, a * v.y, a * v.z};
-}
-
-inline Triple triple(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-inline Eigen::Vector3d vector(const Triple& v) {
-    return {v.x, v.y, v.z};
-}
 
 /// The numbers of the arc of well that a node carries with it.
 struct ArcNumbers {

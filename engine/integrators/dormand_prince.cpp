@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "drillstrand/error.hpp"
-#include "forces/bit.hpp"
-#include "forces/well_frame.hpp"
 #include "numerics/kernel.hpp"
+#include "state/save.hpp"
 
 namespace drillstrand {
 
@@ -74,94 +74,48 @@ DRILLSTRAND_KERNEL double block_error(const std::array<const double*, 7>& k, con
     return sum;
 }
 
-double mean_over_stages(const std::array<double, 7>& power) {
+/// Mean over the stages of a power, as the step's rates are weighted.
+template <class Power>
+double mean_over_stages(const Power& power) {
     double mean = 0.0;
-    for (std::size_t i = 0; i < power.size(); ++i)
-        mean += Tableau::b[i] * power[i];
+    for (std::size_t i = 0; i < Tableau::stages; ++i)
+        mean += Tableau::b[i] * power(i);
     return mean;
-}
-
-std::vector<Eigen::Vector3d> initial_positions(const Scene& scene) {
-    std::vector<Eigen::Vector3d> position;
-    for (const Pose& pose : poses_from_strains({scene.head_frame, scene.head_position},
-                                               scene.mesh.length, scene.initial_strain)) {
-        position.push_back(pose.position);
-    }
-    return position;
 }
 
 }  // namespace
 
 DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads)
-    : scene_(scene),
+    : string_(scene),
       tolerances_(tolerances),
-      model_(scene),
-      surroundings_(scene, initial_positions(scene)),
-      work_(static_cast<std::size_t>(scene.segments) + 1),
-      barrier_(1) {
-    const std::size_t nodes = static_cast<std::size_t>(scene.segments) + 1;
-    const std::size_t blocks = blocks_for(nodes);
-    for (BlockTable& table : states_)
-        table = BlockTable(strand_rows, nodes);
-    for (BlockTable& table : rates_)
-        table = BlockTable(strand_rows, nodes);
-    for (std::vector<double>& power : block_power_)
-        power.assign(blocks, 0.0);
-    block_error_.assign(blocks, 0.0);
-    block_outflow_.assign(blocks, 0.0);
-    block_events_.resize(blocks);
-
-    // at rest but for the head, with the stresses of the initial strains
-    for (std::size_t k = 0; k + 1 < nodes; ++k) {
-        const SectionProperties& s = scene.mesh.segment[k];
-        const Vector6 stress =
-            stiffness_of(s).cwiseProduct(scene.initial_strain[k] - stress_free_strain(s));
-        for (std::size_t i = 0; i < 6; ++i) {
-            states_[0].row(moment + i)[k] = stress[static_cast<Eigen::Index>(i)];
-        }
-    }
-    prescribe_head(states_[0], 0.0);
-    head_.position = scene.head_position;
-    head_.quaternion = Eigen::Quaterniond(scene.head_frame).coeffs();
-
-    double step = 1.0;
-    for (std::size_t k = 0; k < nodes; ++k) {
-        const std::size_t segment = std::min(k, nodes - 2);
-        step = std::min(
-            step, 0.01 * std::sqrt(scene.inertia[k] / scene.mesh.segment[segment].shear_stiffness));
-    }
-
-    workers_.resize(static_cast<std::size_t>(threads));
-    for (Worker& worker : workers_) {
-        worker.state = &states_[0];
-        worker.trial = &states_[1];
-        for (std::size_t i = 0; i < stages; ++i)
-            worker.rate[i] = &rates_[i];
-        worker.head = head_;
+      state_(initial_state(string_)),
+      work_(string_.model.segments + 1),
+      trial_(state_.rod),
+      block_error_(state_.rod.blocks(), 0.0),
+      barrier_(1),
+      workers_(static_cast<std::size_t>(threads)) {
+    const std::size_t blocks = state_.rod.blocks();
+    for (Table<StrandRow>& rate : rates_)
+        rate = state_.rate;
+    for (StagePower& power : power_)
+        power = state_.power;
+    for (Worker& worker : workers_)
         worker.block_start.resize(blocks);
-        worker.step = step;
-        worker.statistics.smallest_step = std::numeric_limits<double>::infinity();
-    }
-    state_ = &states_[0];
-    if (scene.head.motion == HeadMotion::driven) initial_head_energy_ = node_kinetic_energy(0);
+
     // the first rates, by one worker for all: contact at time 0 is then known
-    share_blocks(workers_.front(), 0, 1);
-    evaluate(workers_.front(), 0, 0.0, states_[0], head_);
-    for (Worker& worker : workers_) {
-        worker.head_rate = workers_.front().head_rate;
-        worker.statistics = workers_.front().statistics;
-    }
+    Worker& first = workers_.front();
+    begin(first, 0, 1);
+    evaluate(first, 0, 0.0, state_.rod, state_.head);
+    state_.head_rate = first.head_rate[0];
+    state_.power = power_[0];
+    state_.statistics = first.statistics;
     for (std::size_t block = 0; block < blocks; ++block)
-        count_events(block);
-    const std::vector<Pose> pose = poses();
-    initial_potential_ = potential_energy(pose);
-    for (std::size_t k = 0; k < nodes; ++k) {
-        initial_spring_energy_ +=
-            scene.mesh.cell[k] * surroundings_.contact(k, pose[k].position).spring_energy;
-    }
+        count_events(string_, state_, block);
+    state_.origin = energy_origin(string_, state_);
 }
 
 void DormandPrince::advance(double end, std::int64_t max_steps) {
+    power_[0] = state_.power;
 #pragma omp parallel num_threads(static_cast <int>(workers_.size()))
     {
         // the team may be smaller than asked for
@@ -169,61 +123,75 @@ void DormandPrince::advance(double end, std::int64_t max_steps) {
 #pragma omp single
         barrier_.set_threads(static_cast<int>(threads));
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        share_blocks(workers_[thread], thread, threads);
+        begin(workers_[thread], thread, threads);
         run(workers_[thread], end, max_steps);
     }
     const Worker& first = workers_.front();
-    for (Worker& worker : workers_) {
-        const std::vector<Pose> kept = std::move(worker.block_start);
-        worker = first;
-        worker.block_start = kept;
-    }
-    state_ = first.state;
-    head_ = first.head;
-    time_ = first.time;
-    statistics_ = first.statistics;
+    if (first.rod != &state_.rod) std::swap(state_.rod, trial_);
+    if (first.rate[0] != &state_.rate) std::swap(state_.rate, rates_.back());
+    state_.head_rate = first.head_rate[0];
+    state_.power = power_[0];
+    const double work = state_.head.work;
+    state_.head = first.head;
+    state_.head.work = work;
+    state_.clock = first.clock;
+    state_.statistics = first.statistics;
     if (first.underflow) throw SimulationError(describe_failure());
 }
 
-void DormandPrince::share_blocks(Worker& worker, std::size_t thread, std::size_t threads) const {
+/// A worker's share, and its own copies of the state's loop variables.
+void DormandPrince::begin(Worker& worker, std::size_t thread, std::size_t threads) {
     const std::size_t blocks = block_error_.size();
     worker.begin = blocks * thread / threads;
     worker.end = blocks * (thread + 1) / threads;
+    worker.rod = &state_.rod;
+    worker.trial = &trial_;
+    worker.rate[0] = &state_.rate;
+    for (std::size_t i = 1; i < stages; ++i)
+        worker.rate[i] = &rates_[i - 1];
+    worker.head = state_.head;
+    worker.head_rate[0] = state_.head_rate;
+    worker.clock = state_.clock;
+    worker.statistics = state_.statistics;
 }
 
 /// The time loop.
 void DormandPrince::run(Worker& worker, double end, std::int64_t max_steps) {
-    const std::size_t entries = 12 * model_.segments;
-    const std::int64_t last = worker.statistics.steps + max_steps;
+    const std::size_t entries = 12 * string_.model.segments;
+    const std::int64_t last =
+        max_steps < std::numeric_limits<std::int64_t>::max() - worker.statistics.steps
+            ? worker.statistics.steps + max_steps
+            : std::numeric_limits<std::int64_t>::max();
+    Clock& clock = worker.clock;
     barrier_.wait();
-    while (worker.time < end && worker.statistics.steps < last) {
+    while (clock.time < end && worker.statistics.steps < last) {
         // the step, cut to meet the end exactly, in two equal parts rather than in a long and a
         // short one
-        const double left = end - worker.time;
-        const double step = left <= worker.step      ? left
-                            : left < 2 * worker.step ? left / 2
-                                                     : worker.step;
+        const double left = end - clock.time;
+        const double step = left <= clock.proposed_step      ? left
+                            : left < 2 * clock.proposed_step ? left / 2
+                                                             : clock.proposed_step;
         for (std::size_t stage = 1; stage < stages; ++stage) {
             combine(worker, stage, step);
             barrier_.wait();
-            evaluate(worker, stage, worker.time + Tableau::c[stage] * step, *worker.trial,
+            evaluate(worker, stage, clock.time + Tableau::c[stage] * step, *worker.trial,
                      worker.trial_head);
         }
         const double error = error_norm(error_estimate(worker, step), entries);
         const double next = step * step_factor(error);
-        const bool cut = step < worker.step;
+        const bool cut = step < clock.proposed_step;
         if (error < 1.0) {
             accept(worker, step);
-            worker.time = step == left ? end : worker.time + step;
-            worker.step = cut ? std::max(worker.step, next) : next;
+            clock.time = step == left ? end : clock.time + step;
+            clock.last_step = step;
+            clock.proposed_step = cut ? std::max(clock.proposed_step, next) : next;
             ++worker.statistics.steps;
             if (!cut) {
                 worker.statistics.smallest_step = std::min(worker.statistics.smallest_step, step);
                 worker.statistics.largest_step = std::max(worker.statistics.largest_step, step);
             }
-            if (owns_head(worker)) last_step_ = step;
         } else {
-            worker.step = next;
+            clock.proposed_step = next;
             ++worker.statistics.rejected;
             if (next < least_step) {
                 worker.underflow = true;
@@ -238,17 +206,16 @@ void DormandPrince::run(Worker& worker, double end, std::int64_t max_steps) {
 void DormandPrince::combine(Worker& worker, std::size_t stage, double step) {
     const std::size_t first = worker.begin * block_size;
     const std::size_t count = (worker.end - worker.begin) * block_size;
-    for (std::size_t row = 0; row < strand_rows; ++row) {
+    for (std::size_t line = 0; line < Table<StrandRow>::lines; ++line) {
         std::array<const double*, 7> k{};
         for (std::size_t i = 0; i < stages; ++i)
-            k[i] = worker.rate[i]->row(row) + first;
-        stage_state(stage, worker.trial->row(row) + first, worker.state->row(row) + first, k, step,
-                    count);
+            k[i] = worker.rate[i]->line(line) + first;
+        stage_state(stage, worker.trial->line(line) + first, worker.rod->line(line) + first, k,
+                    step, count);
     }
-    if (scene_.head.motion == HeadMotion::driven) {
-        if (owns_head(worker)) {
-            prescribe_head(*worker.trial, worker.time + Tableau::c[stage] * step);
-        }
+    if (string_.head.is_driven()) {
+        if (owns_head(worker))
+            string_.head.prescribe(*worker.trial, worker.clock.time + Tableau::c[stage] * step);
         return;
     }
     worker.trial_head = worker.head;
@@ -259,66 +226,47 @@ void DormandPrince::combine(Worker& worker, std::size_t stage, double step) {
     }
 }
 
-/// Rates of this worker's blocks. Every worker's part of `state` must be complete.
+/// Rates of this worker's blocks. Every worker's part of `rod` must be complete.
 void DormandPrince::evaluate(Worker& worker, std::size_t stage, double time,
-                             const BlockTable& state, const HeadPose& head) {
-    BlockTable& rate = *worker.rate[stage];
-    segment_pass(model_, state, rate, work_, worker.begin, worker.end);
-    if (scene_.head.motion == HeadMotion::free) {
-        const Vector6 v = velocity(state, 0);
-        const Eigen::Quaterniond q(head.quaternion);
-        const Eigen::Quaterniond spin(0, v[0], v[1], v[2]);
-        worker.head_rate[stage] = {head.pose().frame * v.tail<3>(), 0.5 * (q * spin).coeffs()};
-    }
+                             const Table<StrandRow>& rod, const HeadState& head) {
+    Table<StrandRow>& rate = *worker.rate[stage];
+    segment_pass(string_.model, rod, rate, work_, worker.begin, worker.end);
+    if (!string_.head.is_driven())
+        worker.head_rate[stage] = string_.head.rate(head, velocity_of(string_.scene, rod, 0));
     barrier_.wait();
-    chain_blocks(head_pose(head, time), work_, worker.block_start, worker.end);
-    load_ends(worker, stage, time, state);
-    node_pass(model_, state, rate, work_, worker.block_start, surroundings_, worker.begin,
+    chain_blocks(string_.head.pose(head, time), work_, worker.block_start, worker.end);
+    load_ends(worker, stage, time, rod);
+    node_pass(string_.model, rod, rate, work_, worker.block_start, state_.wall, worker.begin,
               worker.end);
     std::copy_n(work_.power.begin() + static_cast<std::ptrdiff_t>(worker.begin),
                 worker.end - worker.begin,
-                block_power_[stage].begin() + static_cast<std::ptrdiff_t>(worker.begin));
-    if (owns_head(worker) && scene_.head.motion == HeadMotion::driven) {
-        for (std::size_t row = 0; row < 6; ++row)
-            rate.row(row)[0] = 0.0;
-    }
+                power_[stage].surroundings.begin() + static_cast<std::ptrdiff_t>(worker.begin));
+    if (owns_head(worker)) string_.head.hold(rate);
     ++worker.statistics.evaluations;
 }
 
 /// Wrenches of head and bit on the rod, and their power.
 void DormandPrince::load_ends(const Worker& worker, std::size_t stage, double time,
-                              const BlockTable& state) {
+                              const Table<StrandRow>& rod) {
     if (owns_head(worker)) {
         Vector6 on_rod;
-        if (scene_.head.motion == HeadMotion::free) {
-            const Eigen::Matrix3d to_body = worker.block_start[0].frame.transpose();
-            on_rod << to_body * scene_.head.moment(time), to_body * scene_.head.force(time);
-            set_head_wrench(work_, -on_rod);
-        } else {
+        if (string_.head.is_driven()) {
             // what keeps the head on its course is what the first segment pulls it with
-            for (std::size_t i = 0; i < 6; ++i) {
-                on_rod[static_cast<Eigen::Index>(i)] =
-                    -work_.table.row(StrandWorkspace::wrench_on_first + i)[0];
-            }
+            on_rod = -wrench_on_head(work_);
+        } else {
+            on_rod = string_.head.stress(worker.block_start[0].frame, time);
+            set_head_wrench(work_, -on_rod);
         }
-        head_power_[stage] = on_rod.dot(velocity(state, 0));
+        power_[stage].head = on_rod.dot(velocity_of(string_.scene, rod, 0));
     }
     if (owns_bit(worker)) {
-        const std::size_t node = model_.segments;
+        const std::size_t node = string_.model.segments;
+        const Vector6 v = velocity_of(string_.scene, rod, node);
         const Pose pose = node_pose(work_, worker.block_start, node);
-        const Vector6 v = velocity(state, node);
-        BitMotion motion;
-        motion.frame = pose.frame;
-        motion.well_direction =
-            surroundings_.empty()
-                ? Eigen::Vector3d(pose.frame.col(0))
-                : vector(well_frame(triple(pose.position), surroundings_.arc_numbers(node)).l);
-        motion.rotation_rate =
-            scene_.head.motion == HeadMotion::driven ? scene_.head.rotation(time) : v[0];
-        motion.radius = scene_.mesh.node.back().outer_radius;
-        const Vector6 stress = bit_stress(scene_.bit, motion, time);
+        const Vector6 stress =
+            string_.bit.stress(bit_motion(string_, state_.wall, pose, v[0], time), time);
         set_bit_wrench(work_, node, stress);
-        bit_power_[stage] = stress.dot(v);
+        power_[stage].bit = stress.dot(v);
     }
 }
 
@@ -327,11 +275,11 @@ double DormandPrince::error_estimate(const Worker& worker, double step) {
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
         const std::size_t first = block * block_size;
         double sum = 0.0;
-        for (std::size_t row = 0; row < strand_rows; ++row) {
+        for (std::size_t line = 0; line < Table<StrandRow>::lines; ++line) {
             std::array<const double*, 7> k{};
             for (std::size_t i = 0; i < stages; ++i)
-                k[i] = worker.rate[i]->row(row) + first;
-            sum += block_error(k, worker.state->row(row) + first, step, tolerances_);
+                k[i] = worker.rate[i]->line(line) + first;
+            sum += block_error(k, worker.rod->line(line) + first, step, tolerances_);
         }
         block_error_[block] = sum;
     }
@@ -345,33 +293,30 @@ double DormandPrince::error_estimate(const Worker& worker, double step) {
 /// The stage at hand becomes the state; springs and arcs follow; energy is accounted for.
 void DormandPrince::accept(Worker& worker, double step) {
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
-        double power = 0.0;
-        for (std::size_t i = 0; i < stages; ++i)
-            power += Tableau::b[i] * block_power_[i][block];
-        block_outflow_[block] -= step * power;
+        state_.accounts.outflow[block] -=
+            step * mean_over_stages([&](std::size_t i) { return power_[i].surroundings[block]; });
     }
     // Only the owner of an end reads its powers: it also overwrites the first for the next step.
     if (owns_head(worker)) {
-        head_work_ += step * mean_over_stages(head_power_);
-        head_power_[0] = head_power_.back();
+        state_.head.work += step * mean_over_stages([&](std::size_t i) { return power_[i].head; });
+        power_[0].head = power_.back().head;
     }
     if (owns_bit(worker)) {
-        bit_work_ += step * mean_over_stages(bit_power_);
-        bit_power_[0] = bit_power_.back();
+        state_.bit.work += step * mean_over_stages([&](std::size_t i) { return power_[i].bit; });
+        power_[0].bit = power_.back().bit;
     }
 
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
-        if (surroundings_.changes(block)) follow_surroundings(worker, block, step);
-        count_events(block);
+        if (string_.model.surroundings.changes(state_.wall, block))
+            follow_surroundings(worker, block, step);
+        count_events(string_, state_, block);
+        power_[0].surroundings[block] = work_.power[block];
     }
-    for (std::size_t block = worker.begin; block < worker.end; ++block) {
-        block_power_[0][block] = work_.power[block];
-    }
-    if (scene_.head.motion == HeadMotion::free) {
+    if (!string_.head.is_driven()) {
         worker.head = worker.trial_head;
         worker.head.quaternion.normalize();
     }
-    std::swap(worker.state, worker.trial);
+    std::swap(worker.rod, worker.trial);
     std::swap(worker.rate.front(), worker.rate.back());
     std::swap(worker.head_rate.front(), worker.head_rate.back());
 }
@@ -379,164 +324,40 @@ void DormandPrince::accept(Worker& worker, double step) {
 /// Springs and arcs of one block follow its nodes. They act on their own node only: the last stage
 /// is brought up to date in place and serves as the first one of the next step.
 void DormandPrince::follow_surroundings(Worker& worker, std::size_t block, double step) {
-    surroundings_.advance_springs(step, block);
-    surroundings_.refresh_arcs({block, block + 1}, [&](std::size_t node) {
+    const Surroundings& surroundings = string_.model.surroundings;
+    surroundings.advance_springs(state_.wall, step, block);
+    surroundings.refresh_arcs(state_.wall, {block, block + 1}, [&](std::size_t node) {
         return node_pose(work_, worker.block_start, node).position;
     });
-    BlockTable& rate = *worker.rate.back();
-    node_pass(model_, *worker.trial, rate, work_, worker.block_start, surroundings_, block,
+    Table<StrandRow>& rate = *worker.rate.back();
+    node_pass(string_.model, *worker.trial, rate, work_, worker.block_start, state_.wall, block,
               block + 1);
-    if (block == 0) hold_head(rate);
-}
-
-void DormandPrince::count_events(std::size_t block) {
-    if (surroundings_.empty()) return;
-    ContactEvents& events = block_events_[block];
-    const double* depth = surroundings_.row(Surroundings::depth) + block * block_size;
-    const double* sliding = surroundings_.row(Surroundings::sliding) + block * block_size;
-    for (std::size_t k = 0; k < block_size; ++k) {
-        const bool touches = depth[k] > 0;
-        const bool slides = sliding[k] > 0;
-        events.impacts += touches && !events.touches[k] ? 1 : 0;
-        events.slips += slides && !events.slides[k] ? 1 : 0;
-        events.touches[k] = touches;
-        events.slides[k] = slides;
-    }
+    if (block == 0) string_.head.hold(rate);
 }
 
 bool DormandPrince::owns_bit(const Worker& worker) const {
     return worker.end == block_error_.size() && worker.begin < worker.end;
 }
 
-Pose DormandPrince::HeadPose::pose() const {
-    return {Eigen::Quaterniond(quaternion).normalized().toRotationMatrix(), position};
-}
-
-Pose DormandPrince::head_pose(const HeadPose& head, double time) const {
-    if (scene_.head.motion == HeadMotion::free) return head.pose();
-    const double angle = scene_.head.rotation.integral(time);
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
-    return {scene_.head_frame * turn, scene_.head_position};
-}
-
-/// Momentum of a driven head: it turns about d3 at the scheduled rate and does not move.
-void DormandPrince::prescribe_head(BlockTable& state, double time) const {
-    if (scene_.head.motion == HeadMotion::free) return;
-    for (std::size_t row = 0; row < 6; ++row)
-        state.row(row)[0] = 0.0;
-    state.row(angular_momentum)[0] =
-        scene_.mesh.node.front().polar_inertia * scene_.head.rotation(time);
-}
-
-/// A driven head has no rate of its own.
-void DormandPrince::hold_head(BlockTable& rate) const {
-    if (scene_.head.motion == HeadMotion::free) return;
-    for (std::size_t row = 0; row < 6; ++row)
-        rate.row(row)[0] = 0.0;
-}
-
-Vector6 DormandPrince::velocity(const BlockTable& state, std::size_t node) const {
-    const double mass = scene_.mesh.node[node].mass;
-    const double transverse = scene_.inertia[node];
-    Vector6 inertia;
-    inertia << scene_.mesh.node[node].polar_inertia, transverse, transverse, mass, mass, mass;
-    return momentum_of(state, node).cwiseQuotient(inertia);
-}
-
-// ------------------------------------------------------------------ what the run reports
-
-std::vector<Pose> DormandPrince::poses() const {
-    std::vector<Vector6> strain(model_.segments);
-    for (std::size_t k = 0; k < model_.segments; ++k) {
-        const SectionProperties& s = scene_.mesh.segment[k];
-        strain[k] = stress_of(*state_, k).cwiseQuotient(stiffness_of(s)) + stress_free_strain(s);
-    }
-    return poses_from_strains(head_pose(head_, time_), scene_.mesh.length, strain);
-}
-
-double DormandPrince::node_kinetic_energy(std::size_t node) const {
-    return 0.5 * scene_.mesh.cell[node] * momentum_of(*state_, node).dot(velocity(*state_, node));
-}
-
-double DormandPrince::potential_energy(const std::vector<Pose>& poses) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-        sum -= scene_.mesh.cell[k] * scene_.weight[k] * scene_.down.dot(poses[k].position);
-    }
-    return sum;
-}
-
-EnergyAccount DormandPrince::energy(const std::vector<Pose>& poses, double spring_energy) const {
-    EnergyAccount account;
-    for (std::size_t k = 0; k < poses.size(); ++k)
-        account.kinetic += node_kinetic_energy(k);
-    for (std::size_t k = 0; k < model_.segments; ++k) {
-        const Vector6 stress = stress_of(*state_, k);
-        account.elastic += 0.5 * scene_.mesh.length[k] *
-                           stress.dot(stress.cwiseQuotient(stiffness_of(scene_.mesh.segment[k])));
-    }
-    account.elastic += spring_energy;
-    account.potential = potential_energy(poses) - initial_potential_;
-    account.work = head_work_ + bit_work_;
-    if (scene_.head.motion == HeadMotion::driven) {
-        account.work += node_kinetic_energy(0) - initial_head_energy_;
-    }
-    // what the surroundings took and the contact springs do not hold is gone
-    account.dissipation = initial_spring_energy_ - spring_energy;
-    for (const double outflow : block_outflow_)
-        account.dissipation += outflow;
-    return account;
-}
+// ------------------------------------------------------------------ what others may know
 
 SeriesRecord DormandPrince::series() const {
-    SeriesRecord record;
-    const std::vector<Pose> pose = poses();
-    const std::size_t last = model_.segments;
-    double spring_energy = 0;
-    for (std::size_t k = 0; k <= last; ++k) {
-        const NodeContact c = surroundings_.contact(k, pose[k].position);
-        if (c.penetration <= 0) continue;
-        ++record.contact_nodes;
-        record.max_penetration = std::max(record.max_penetration, c.penetration);
-        spring_energy += scene_.mesh.cell[k] * c.spring_energy;
-    }
-    for (const ContactEvents& events : block_events_) {
-        record.impacts += events.impacts;
-        record.slips += events.slips;
-    }
-    // who came and is not there has left
-    record.contact_changes = 2 * record.impacts - record.contact_nodes;
-    record.time = time_;
-    record.head_stress = stress_of(*state_, 0);
-    record.bit_stress = stress_of(*state_, last - 1);
-    record.head_position = pose.front().position;
-    record.bit_position = pose.back().position;
-    record.head_rotation_rate = velocity(*state_, 0)[0];
-    record.bit_rotation_rate = velocity(*state_, last)[0];
-    record.energy = energy(pose, spring_energy);
-    record.step_size = last_step_;
-    return record;
+    return series_record(string_, state_);
 }
 
 Profile DormandPrince::profile() const {
-    Profile profile;
-    const std::vector<Pose> pose = poses();
-    profile.time = time_;
-    for (std::size_t k = 0; k < pose.size(); ++k) {
-        profile.position.push_back(pose[k].position);
-        profile.director.emplace_back(pose[k].frame.col(0));
-        profile.momentum.push_back(momentum_of(*state_, k));
-        const NodeContact c = surroundings_.contact(k, pose[k].position);
-        profile.eccentricity.push_back(c.eccentricity);
-        profile.well_depth.push_back(c.well_depth);
-        profile.contact_force.push_back(c.force);
-        profile.normal_force.push_back(std::max(c.normal_force, 0.0));
-    }
-    for (std::size_t k = 0; k < model_.segments; ++k) {
-        profile.stress.push_back(stress_of(*state_, k));
-    }
-    return profile;
+    return profile_record(string_, state_);
+}
+
+SavedState DormandPrince::save() const {
+    return drillstrand::save(state_);
+}
+
+void DormandPrince::restore(const SavedState& saved) {
+    StrandState restored = state_;
+    drillstrand::restore(restored, saved);
+    derive(string_, restored);
+    state_ = std::move(restored);
 }
 
 std::string DormandPrince::describe_failure() const {
@@ -546,12 +367,13 @@ std::string DormandPrince::describe_failure() const {
         if (!(block_error_[block] <= block_error_[worst])) worst = block;
         if (!std::isfinite(block_error_[worst])) break;
     }
-    const std::size_t node = std::min(worst * block_size, model_.segments);
-    const std::size_t last = std::min(node + block_size - 1, model_.segments);
+    const std::vector<double>& s = string_.scene.mesh.node_s;
+    const std::size_t node = std::min(worst * block_size, string_.model.segments);
+    const std::size_t last = std::min(node + block_size - 1, string_.model.segments);
     return fmt::format(
         "the step fell below {:g} s at t = {:.6f} s; the error is largest between nodes {} and {}, "
         "{:.1f} to {:.1f} m along the string",
-        least_step, time_, node, last, scene_.mesh.node_s[node], scene_.mesh.node_s[last]);
+        least_step, state_.clock.time, node, last, s[node], s[last]);
 }
 
 }  // namespace drillstrand

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "numerics/kernel.hpp"
 #include "numerics/vector_math.hpp"
-#include "rod/rows.hpp"
 
 namespace drillstrand {
 
@@ -23,16 +23,17 @@ constexpr double fair_coarseness = 1.0 / (8 * 8);
 
 /// Reads the segments of a block into three rows of block_size numbers each.
 DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable& limits,
-                                    const BlockTable& state, const BlockTable& segments,
-                                    std::size_t block, double* cosine_out, double* yield2_out,
+                                    const Table<DirectorRow>& rod,
+                                    const Table<SegmentRow>& segments, std::size_t block,
+                                    double* cosine_out, double* yield2_out,
                                     double* coarseness_out) {
     const auto first = static_cast<std::ptrdiff_t>(block * block_size);
-    const ConstRows x_a = rows_at(state, position, first);
-    const ConstRows x_b = rows_at(state, position, first + 1);
-    const ConstRows t_a = rows_at(state, director, first);
-    const ConstRows t_b = rows_at(state, director, first + 1);
-    const ConstRows d1_a = rows_at(state, material, first);
-    const ConstRows d1_b = rows_at(state, material, first + 1);
+    const ConstTriples x_a = rod.triples(DirectorRow::position, first);
+    const ConstTriples x_b = rod.triples(DirectorRow::position, first + 1);
+    const ConstTriples t_a = rod.triples(DirectorRow::director, first);
+    const ConstTriples t_b = rod.triples(DirectorRow::director, first + 1);
+    const ConstTriples d1_a = rod.triples(DirectorRow::material, first);
+    const ConstTriples d1_b = rod.triples(DirectorRow::material, first + 1);
     const double* twist = segments.row(SegmentRow::twist) + first;
     const double* inverse_length = c.row(Constants::inverse_length) + first;
     const double* torsion = c.row(Constants::torsion) + first;
@@ -93,11 +94,12 @@ struct BlockReadings {
 };
 
 BlockReadings readings(const DirectorModel& model, const BlockTable& limits,
-                       const BlockTable& state, const BlockTable& segments, std::size_t block) {
+                       const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
+                       std::size_t block) {
     BlockReadings all;
     all.first = block * block_size;
     all.count = std::min(block_size, model.segments - std::min(model.segments, all.first));
-    read_guards(model.constants, limits, state, segments, block, all.cosine, all.yield2,
+    read_guards(model.constants, limits, rod, segments, block, all.cosine, all.yield2,
                 all.coarseness);
     return all;
 }
@@ -121,9 +123,9 @@ Guards::Guards(const Scene& scene, const DirectorModel& model, double stress_lim
     }
 }
 
-GuardReading Guards::read(const BlockTable& state, const BlockTable& segments,
+GuardReading Guards::read(const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
                           std::size_t block) const {
-    const BlockReadings all = readings(model_, limits_, state, segments, block);
+    const BlockReadings all = readings(model_, limits_, rod, segments, block);
     GuardReading worst;
     for (std::size_t k = 0; k < all.count; ++k) {
         worst.cosine = std::min(worst.cosine, all.cosine[k]);
@@ -154,10 +156,10 @@ std::string Guards::buckle(double coarseness, std::size_t segment) const {
         compression / 1000, pitch, h, pitch / 8);
 }
 
-std::optional<std::string> Guards::describe(const BlockTable& state, const BlockTable& segments,
-                                            double time) const {
+std::optional<std::string> Guards::describe(const Table<DirectorRow>& rod,
+                                            const Table<SegmentRow>& segments, double time) const {
     for (std::size_t block = 0; block < blocks_for(model_.segments); ++block) {
-        const BlockReadings all = readings(model_, limits_, state, segments, block);
+        const BlockReadings all = readings(model_, limits_, rod, segments, block);
         for (std::size_t k = 0; k < all.count; ++k) {
             const GuardReading one = all.of(k);
             if (!stops(one)) continue;
@@ -181,19 +183,25 @@ std::optional<std::string> Guards::describe(const BlockTable& state, const Block
     return std::nullopt;
 }
 
-void Guards::follow(CoarsestSegment& coarsest, const GuardReading& reading, const BlockTable& state,
-                    const BlockTable& segments, std::size_t block, double time) const {
+void Guards::follow(CoarsestSegment& coarsest, const GuardReading& reading,
+                    const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
+                    std::size_t block, double time) const {
     if (reading.coarseness <= std::max(coarsest.coarseness, fair_coarseness)) return;
-    const BlockReadings all = readings(model_, limits_, state, segments, block);
+    const BlockReadings all = readings(model_, limits_, rod, segments, block);
     const double* worst = std::max_element(all.coarseness, all.coarseness + all.count);
-    coarsest = {*worst, all.first + static_cast<std::size_t>(worst - all.coarseness), time};
+    coarsest = {*worst, static_cast<std::int64_t>(all.first) + (worst - all.coarseness), time};
+}
+
+CoarsestSegment coarser_of(const CoarsestSegment& one, const CoarsestSegment& other) {
+    if (one.coarseness != other.coarseness) return one.coarseness > other.coarseness ? one : other;
+    return std::pair(one.time, one.segment) <= std::pair(other.time, other.segment) ? one : other;
 }
 
 std::optional<std::string> Guards::warn(const CoarsestSegment& coarsest) const {
     if (coarsest.coarseness <= fair_coarseness) return std::nullopt;
+    const auto segment = static_cast<std::size_t>(coarsest.segment);
     return fmt::format("the mesh resolves the buckle poorly: at t = {:.6g} s {} bore {}",
-                       coarsest.time, place(coarsest.segment),
-                       buckle(coarsest.coarseness, coarsest.segment));
+                       coarsest.time, place(segment), buckle(coarsest.coarseness, segment));
 }
 
 }  // namespace drillstrand

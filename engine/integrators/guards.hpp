@@ -20,32 +20,29 @@ struct GuardReading {
     double coarseness = 0;  ///< largest (h / helical pitch)^2 under the segment's compression
 };
 
-/// The coarsest segment for its buckle that a run has met.
-struct CoarsestSegment {
-    double coarseness = 0;
-    std::size_t segment = 0;
-    double time = 0;  ///< s
-};
+/// The coarser of two; of equals the one met first.
+CoarsestSegment coarser_of(const CoarsestSegment& one, const CoarsestSegment& other);
 
 class Guards {
   public:
     /// `stress_limit`: multiple of yield at which to stop; 0: none.
     Guards(const Scene& scene, const DirectorModel& model, double stress_limit);
 
-    /// Reads a block of segments. Their twists must belong to the same whole step as `state`.
-    [[nodiscard]] GuardReading read(const BlockTable& state, const BlockTable& segments,
-                                    std::size_t block) const;
+    /// Reads a block of segments. Their twists must belong to the same whole step as `rod`.
+    [[nodiscard]] GuardReading read(const Table<DirectorRow>& rod,
+                                    const Table<SegmentRow>& segments, std::size_t block) const;
 
     [[nodiscard]] bool stops(const GuardReading& reading) const;
 
     /// Why a run has to stop: the first segment from the head that no guard lets pass.
-    [[nodiscard]] std::optional<std::string> describe(const BlockTable& state,
-                                                      const BlockTable& segments,
+    [[nodiscard]] std::optional<std::string> describe(const Table<DirectorRow>& rod,
+                                                      const Table<SegmentRow>& segments,
                                                       double time) const;
 
     /// Keeps the coarsest segment of a block if it is coarser than `coarsest`.
-    void follow(CoarsestSegment& coarsest, const GuardReading& reading, const BlockTable& state,
-                const BlockTable& segments, std::size_t block, double time) const;
+    void follow(CoarsestSegment& coarsest, const GuardReading& reading,
+                const Table<DirectorRow>& rod, const Table<SegmentRow>& segments, std::size_t block,
+                double time) const;
 
     /// A sentence on a mesh that resolves its buckle poorly; none where it is fine enough.
     [[nodiscard]] std::optional<std::string> warn(const CoarsestSegment& coarsest) const;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rod/strand.hpp"
+#include "rod/report.hpp"
 
 namespace drillstrand {
 
@@ -19,42 +19,22 @@ constexpr double least_factor = 1.0 / 64;
 constexpr std::int64_t steps_between_decisions = 256;
 constexpr std::int64_t most_steps_between_looks = 8192;
 
-Vector6 inertia_of(const Scene& scene, std::size_t node) {
-    const SectionProperties& section = scene.mesh.node[node];
-    Vector6 inertia;
-    inertia << section.polar_inertia, scene.inertia[node], scene.inertia[node], section.mass,
-        section.mass, section.mass;
-    return inertia;
-}
-
-/// Sum over nodes and segments of the energy of momenta and stresses that two functions give.
-template <class Momentum, class Stress>
-double energy_of(const Scene& scene, const Momentum& momentum, const Stress& stress) {
-    double sum = 0;
-    for (std::size_t k = 0; k < scene.mesh.cell.size(); ++k) {
-        const Vector6 p = momentum(k);
-        sum += 0.5 * scene.mesh.cell[k] * p.dot(p.cwiseQuotient(inertia_of(scene, k)));
-    }
-    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
-        const Vector6 s = stress(k);
-        sum += 0.5 * scene.mesh.length[k] *
-               s.dot(s.cwiseQuotient(stiffness_of(scene.mesh.segment[k])));
-    }
-    return sum;
-}
-
 }  // namespace
 
 double rod_energy(const Scene& scene, const Profile& profile) {
-    return energy_of(
-        scene, [&](std::size_t k) { return profile.momentum[k]; },
-        [&](std::size_t k) { return profile.stress[k]; });
+    double sum = elastic_energy(scene, profile.stress);
+    for (std::size_t k = 0; k < profile.momentum.size(); ++k)
+        sum += kinetic_energy(scene, k, profile.momentum[k]);
+    return sum;
 }
 
 double rod_energy_between(const Scene& scene, const Profile& one, const Profile& other) {
-    return energy_of(
-        scene, [&](std::size_t k) -> Vector6 { return one.momentum[k] - other.momentum[k]; },
-        [&](std::size_t k) -> Vector6 { return one.stress[k] - other.stress[k]; });
+    Profile difference;
+    for (std::size_t k = 0; k < one.momentum.size(); ++k)
+        difference.momentum.emplace_back(one.momentum[k] - other.momentum[k]);
+    for (std::size_t k = 0; k < one.stress.size(); ++k)
+        difference.stress.emplace_back(one.stress[k] - other.stress[k]);
+    return rod_energy(scene, difference);
 }
 
 double negligible_energy(const Scene& scene) {
@@ -65,23 +45,24 @@ double negligible_energy(const Scene& scene) {
     return sum;
 }
 
-void TimeErrorControl::add(std::int64_t steps, double time, double energy, double difference) {
+void TimeErrorControl::add(TimeError& found, std::int64_t steps, double time, double energy,
+                           double difference) const {
     constexpr double richardson = 4.0 / 3;  // second order: half the step leaves a quarter
-    scale_ = std::max(scale_, energy);
-    const double error = richardson * std::sqrt(difference / scale_);
+    found.scale = std::max({found.scale, negligible_, energy});
+    const double error = richardson * std::sqrt(difference / found.scale);
     if (tolerance_ > 0) {
         const double wanted = error > 0 ? safety * std::sqrt(tolerance_ / error) : most_change;
-        const double factor = factor_ * std::clamp(wanted, least_change, most_change);
-        const bool can_shorten = factor_ > least_factor;
-        factor_ = std::clamp(factor, least_factor, 1.0);
+        const double factor = found.factor * std::clamp(wanted, least_change, most_change);
+        const bool can_shorten = found.factor > least_factor;
+        found.factor = std::clamp(factor, least_factor, 1.0);
         if (error > tolerance_ && can_shorten) return;
-        if (error > tolerance_) missed_ = true;
+        if (error > tolerance_) found.missed = 1;
     }
-    due_ = next_due(steps);
-    latest_ = error;
-    if (error <= largest_) return;
-    largest_ = error;
-    largest_time_ = time;
+    found.due = next_due(steps);
+    found.latest = error;
+    if (error <= found.largest) return;
+    found.largest = error;
+    found.largest_time = time;
 }
 
 std::int64_t TimeErrorControl::next_due(std::int64_t steps) const {
@@ -89,12 +70,12 @@ std::int64_t TimeErrorControl::next_due(std::int64_t steps) const {
     return steps + std::clamp(steps, window, most_steps_between_looks);
 }
 
-std::optional<std::string> TimeErrorControl::warning() const {
-    if (!missed_) return std::nullopt;
+std::optional<std::string> TimeErrorControl::warning(const TimeError& found) const {
+    if (found.missed == 0) return std::nullopt;
     return fmt::format(
         "the time error was above run.tolerance with the shortest steps, {:.2g} of the "
         "stable one: {:.2g} in 16 steps from t = {:.6g} s on",
-        least_factor, largest_, largest_time_);
+        least_factor, found.largest, found.largest_time);
 }
 
 }  // namespace drillstrand

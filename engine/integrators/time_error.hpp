@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
+#include "state/rows.hpp"
 
 namespace drillstrand {
 
@@ -19,8 +19,8 @@ double rod_energy_between(const Scene& scene, const Profile& one, const Profile&
 /// Energy of a stretch that only rounding errors show (J).
 double negligible_energy(const Scene& scene);
 
-/// When a run samples its time error, what it found, and by how much it shortens its steps where a
-/// tolerance is set.
+/// When a run samples its time error, and by how much it shortens its steps where a tolerance is
+/// set. What it found is state: TimeError (state/rows.hpp).
 class TimeErrorControl {
   public:
     /// Steps of the run that a sample repeats, and repeats in halves.
@@ -29,39 +29,25 @@ class TimeErrorControl {
     /// `tolerance`: largest time error of a window (relative); 0: watch only. Energies below
     /// `negligible` (J) are rounding errors.
     TimeErrorControl(double tolerance, double negligible)
-        : tolerance_(tolerance), scale_(negligible) {}
-
-    /// Number of steps of the run before the next sample.
-    [[nodiscard]] std::int64_t due() const { return due_; }
-    /// No more samples.
-    void stop() { due_ = std::numeric_limits<std::int64_t>::max(); }
+        : tolerance_(tolerance), negligible_(negligible) {}
 
     /// A sample ahead of the steps to come, taken after `steps` steps at `time` (s): energy of the
     /// rod after a window in steps half as long, and of its difference from that in the steps of
     /// the run. Where it misses the tolerance the steps become shorter, and the next sample is due
     /// at once.
-    void add(std::int64_t steps, double time, double energy, double difference);
+    void add(TimeError& found, std::int64_t steps, double time, double energy,
+             double difference) const;
     /// A sample that could not be taken.
-    void skip(std::int64_t steps) { due_ = next_due(steps); }
+    void skip(TimeError& found, std::int64_t steps) const { found.due = next_due(steps); }
 
-    /// Factor of the longest stable step, 1 or less.
-    [[nodiscard]] double step_factor() const { return factor_; }
-    [[nodiscard]] double latest() const { return latest_; }
-    [[nodiscard]] double largest() const { return largest_; }
     /// A sentence where the tolerance was missed.
-    [[nodiscard]] std::optional<std::string> warning() const;
+    [[nodiscard]] std::optional<std::string> warning(const TimeError& found) const;
 
   private:
     [[nodiscard]] std::int64_t next_due(std::int64_t steps) const;
 
     double tolerance_;
-    std::int64_t due_ = 0;
-    double scale_;  ///< largest energy so far (J)
-    double factor_ = 1;
-    double latest_ = 0;
-    double largest_ = 0;
-    double largest_time_ = 0;  ///< s
-    bool missed_ = false;
+    double negligible_;  ///< J
 };
 
 }  // namespace drillstrand

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "drillstrand/equilibrium.hpp"
 #include "drillstrand/error.hpp"
 #include "model/initial_shape.hpp"
 
@@ -120,11 +119,6 @@ Scene build_scene(const Case& input) {
     scene.head_position += input.initial.offset;
     for (Eigen::Vector3d& position : scene.initial_nodes.position)
         position += input.initial.offset;
-    if (input.initial.state == InitialState::equilibrium) {
-        EquilibriumOptions at_start;
-        at_start.load_time = 0;
-        scene.initial_nodes = equilibrium_nodes(scene, at_start);
-    }
     return scene;
 }
 

@@ -48,11 +48,11 @@ class Barrier {
     }
 
     void wait_for_late(unsigned generation) {
-        using Clock = std::chrono::steady_clock;
-        const auto start = Clock::now();
+        using WallClock = std::chrono::steady_clock;
+        const auto start = WallClock::now();
         while (generation_.load(std::memory_order_acquire) == generation)
             std::this_thread::yield();
-        const auto time = std::chrono::nanoseconds(Clock::now() - start);
+        const auto time = std::chrono::nanoseconds(WallClock::now() - start);
         waited_.fetch_add(time.count(), std::memory_order_relaxed);
     }
 

@@ -1,12 +1,14 @@
 #include "rod/director.hpp"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
+#include "forces/fluid.hpp"
 #include "forces/implicit_contact.hpp"
-#include "forces/well_frame.hpp"
+#include "forces/wall_rows.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/vector_math.hpp"
-#include "rod/rows.hpp"
 
 namespace drillstrand {
 
@@ -52,6 +54,7 @@ DirectorConstants::DirectorConstants(const Scene& scene)
 
 DirectorModel::DirectorModel(const Scene& scene)
     : constants(scene),
+      surroundings(scene),
       scene_features(scene.features),
       internal_damping(scene.damping.internal),
       external_damping(scene.damping.external),
@@ -87,92 +90,150 @@ DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
     return combine(1.0, v, -dot(v, unit), unit);
 }
 
+// ------------------------------------------------------------------ named rows, from an entry on
+
+/// The nodes of the rod as they are read.
+struct NodesIn {
+    NodesIn(const Table<DirectorRow>& rod, std::ptrdiff_t first)
+        : x(rod.triples(DirectorRow::position, first)),
+          v(rod.triples(DirectorRow::velocity, first)),
+          t(rod.triples(DirectorRow::director, first)),
+          w(rod.triples(DirectorRow::angular_velocity, first)),
+          last_t(rod.triples(DirectorRow::last_director, first)),
+          d1(rod.triples(DirectorRow::material, first)),
+          s(rod.row(DirectorRow::spin) + first),
+          last_twist(rod.row(DirectorRow::last_twist) + first) {}
+    ConstTriples x, v, t, w, last_t, d1;
+    const double *s, *last_twist;
+};
+
+/// The nodes of the next step as they are written.
+struct NodesOut {
+    NodesOut(Table<DirectorRow>& rod, std::ptrdiff_t first)
+        : x(rod.triples(DirectorRow::position, first)),
+          v(rod.triples(DirectorRow::velocity, first)),
+          t(rod.triples(DirectorRow::director, first)),
+          w(rod.triples(DirectorRow::angular_velocity, first)),
+          last_t(rod.triples(DirectorRow::last_director, first)),
+          d1(rod.triples(DirectorRow::material, first)),
+          s(rod.row(DirectorRow::spin) + first),
+          last_twist(rod.row(DirectorRow::last_twist) + first) {}
+    Triples x, v, t, w, last_t, d1;
+    double *s, *last_twist;
+};
+
+/// What segments hand to nodes: `Vectors` and `Numbers` to write or to read.
+template <class Vectors, class Numbers>
+struct SegmentRows {
+    template <class Segments>
+    SegmentRows(Segments& segments, std::ptrdiff_t first)
+        : pull(segments.triples(SegmentRow::pull, first)),
+          couple(segments.triples(SegmentRow::couple, first)),
+          lean(segments.triples(SegmentRow::lean, first)),
+          first_couple(segments.triples(SegmentRow::first_couple, first)),
+          last_couple(segments.triples(SegmentRow::last_couple, first)),
+          viscous_pull(segments.triples(SegmentRow::viscous_pull, first)),
+          viscous_couple(segments.triples(SegmentRow::viscous_couple, first)),
+          viscous_lean(segments.triples(SegmentRow::viscous_lean, first)),
+          drag_force(segments.triples(SegmentRow::drag_force, first)),
+          drag_couple(segments.triples(SegmentRow::drag_couple, first)),
+          twist(segments.row(SegmentRow::twist) + first),
+          torque(segments.row(SegmentRow::torque) + first),
+          viscous_torque(segments.row(SegmentRow::viscous_torque) + first) {}
+    Vectors pull, couple, lean, first_couple, last_couple, viscous_pull, viscous_couple,
+        viscous_lean, drag_force, drag_couple;
+    Numbers twist, torque, viscous_torque;
+};
+using SegmentsOut = SegmentRows<Triples, double*>;
+using SegmentsIn = SegmentRows<ConstTriples, const double*>;
+
+struct SegmentConstants {
+    SegmentConstants(const Constants& c, std::ptrdiff_t first)
+        : length(c.row(Constants::length) + first),
+          inverse_length(c.row(Constants::inverse_length) + first),
+          torsion(c.row(Constants::torsion) + first),
+          bending(c.row(Constants::bending) + first),
+          axial(c.row(Constants::axial) + first),
+          shear(c.row(Constants::shear) + first),
+          twist0(c.row(Constants::twist0) + first),
+          bend10(c.row(Constants::bend10) + first),
+          bend20(c.row(Constants::bend20) + first) {}
+    const double *length, *inverse_length, *torsion, *bending, *axial, *shear, *twist0, *bend10,
+        *bend20;
+};
+
+struct NodeConstants {
+    NodeConstants(const Constants& c, std::ptrdiff_t first)
+        : inverse_cell(c.row(Constants::inverse_cell) + first),
+          mobile_cell(c.row(Constants::mobile_cell) + first),
+          mass(c.row(Constants::mass) + first),
+          inverse_mass(c.row(Constants::inverse_mass) + first),
+          polar(c.row(Constants::polar) + first),
+          inverse_polar(c.row(Constants::inverse_polar) + first),
+          transverse(c.row(Constants::transverse) + first),
+          inverse_transverse(c.row(Constants::inverse_transverse) + first),
+          weight(c.row(Constants::weight) + first) {}
+    const double *inverse_cell, *mobile_cell, *mass, *inverse_mass, *polar, *inverse_polar,
+        *transverse, *inverse_transverse, *weight;
+};
+
+// ------------------------------------------------------------------ segments
+
 template <Damping damping, bool curved>
-DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const BlockTable& state,
-                                         BlockTable& segments, BlockSpan span, double drift) {
+DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table<DirectorRow>& rod,
+                                         Table<SegmentRow>& segments, BlockSpan span,
+                                         double drift) {
     const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
     const std::size_t count = span.entries();
-    const Constants& c = model.constants;
-    const ConstRows x_a = rows_at(state, position, first);
-    const ConstRows x_b = rows_at(state, position, first + 1);
-    const ConstRows t_a = rows_at(state, director, first);
-    const ConstRows t_b = rows_at(state, director, first + 1);
-    const ConstRows last_a = rows_at(state, last_director, first);
-    const ConstRows last_b = rows_at(state, last_director, first + 1);
-    const double* spin_a = state.row(spin) + first;
-    const double* spin_b = spin_a + 1;
-    const ConstRows v_a = rows_at(state, velocity, first);
-    const ConstRows v_b = rows_at(state, velocity, first + 1);
-    const ConstRows w_a = rows_at(state, angular_velocity, first);
-    const ConstRows w_b = rows_at(state, angular_velocity, first + 1);
-    const ConstRows d1_a = rows_at(state, material, first);
-    const ConstRows d1_b = rows_at(state, material, first + 1);
-    double* twist = segments.row(SegmentRow::twist) + first;
-    double* torque_out = segments.row(SegmentRow::torque) + first;
-    double* viscous_torque = segments.row(SegmentRow::viscous_torque) + first;
-    const Rows viscous_pull = rows_at(segments, SegmentRow::viscous_pull, first);
-    const Rows viscous_couple = rows_at(segments, SegmentRow::viscous_couple, first);
-    const Rows viscous_lean = rows_at(segments, SegmentRow::viscous_lean, first);
-    const Rows pull = rows_at(segments, SegmentRow::pull, first);
-    const Rows couple = rows_at(segments, SegmentRow::couple, first);
-    const Rows lean = rows_at(segments, SegmentRow::lean, first);
-    const Rows drag_force = rows_at(segments, SegmentRow::drag_force, first);
-    const Rows drag_couple = rows_at(segments, SegmentRow::drag_couple, first);
-    const Rows first_couple = rows_at(segments, SegmentRow::first_couple, first);
-    const Rows last_couple = rows_at(segments, SegmentRow::last_couple, first);
-    const double* length = c.row(Constants::length) + first;
-    const double* inverse_length = c.row(Constants::inverse_length) + first;
-    const double* torsion = c.row(Constants::torsion) + first;
-    const double* bending = c.row(Constants::bending) + first;
-    const double* axial = c.row(Constants::axial) + first;
-    const double* shear = c.row(Constants::shear) + first;
-    const double* twist0 = c.row(Constants::twist0) + first;
-    const double* bend10 = c.row(Constants::bend10) + first;
-    const double* bend20 = c.row(Constants::bend20) + first;
+    const SegmentConstants c(model.constants, first);
+    const NodesIn a_node(rod, first);
+    const NodesIn b_node(rod, first + 1);
+    const SegmentsOut out(segments, first);
     const double kelvin_voigt = model.kelvin_voigt;
     const double internal_damping = model.internal_damping;
 
     const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-        const double h = length[k];
-        const double ih = inverse_length[k];
-        const Triple ta = t_a[k];
-        const Triple tb = t_b[k];
+        const double h = c.length[k];
+        const double ih = c.inverse_length[k];
+        const Triple ta = a_node.t[k];
+        const Triple tb = b_node.t[k];
 
         // stretch and shear: D = dx / h, mean director m, g = D . m, sh = D - g m
-        const Triple d = combine(ih, x_b[k], -ih, x_a[k]);
+        const Triple d = combine(ih, b_node.x[k], -ih, a_node.x[k]);
         const double cosine = dot(ta, tb);
         const double inverse_one = 1.0 / (1.0 + cosine);
         const double inverse_both = std::sqrt(0.5 * inverse_one);  // 1 / |t_k + t_k+1|
         const Triple m = combine(inverse_both, ta, inverse_both, tb);
         const double g = dot(d, m);
         const Triple sh = combine(1.0, d, -g, m);
-        const double stretch_force = axial[k] * (g - 1.0);
-        const Triple n = combine(stretch_force, m, shear[k], sh);
-        const double w = h * (shear[k] * g - stretch_force) * inverse_both;
+        const double stretch_force = c.axial[k] * (g - 1.0);
+        const Triple n = combine(stretch_force, m, c.shear[k], sh);
+        const double w = h * (c.shear[k] * g - stretch_force) * inverse_both;
 
         // bending: kb = (b / sin b) (t_k x t_k+1) / h, from tan(b/2) = |t x t| / (1 + cos b)
         const Triple a = cross(ta, tb);
         const double half_tangent2 = dot(a, a) * inverse_one * inverse_one;
         const double factor = 2.0 * arctangent_ratio(half_tangent2) * inverse_one;
         const double bend = factor * ih;
-        Triple bending_moment = scaled(bending[k] * bend, a);
+        Triple bending_moment = scaled(c.bending[k] * bend, a);
 
         // twist: h tau += dt (s_k+1 - s_k) + swept area; torque about e = (t_k + t_k+1)/(1 + cos b)
-        twist[k] +=
-            ih * (drift * (spin_b[k] - spin_a[k]) + swept_area(last_a[k], last_b[k], tb, ta));
-        double torque = torsion[k] * twist[k];
-        if constexpr (curved) torque -= torsion[k] * twist0[k];
+        const double twist =
+            a_node.last_twist[k] + ih * (drift * (b_node.s[k] - a_node.s[k]) +
+                                         swept_area(a_node.last_t[k], b_node.last_t[k], tb, ta));
+        double torque = c.torsion[k] * twist;
+        if constexpr (curved) torque -= c.torsion[k] * c.twist0[k];
 
         if constexpr (curved) {
             // own shape: kappa = k1 d1 + k2 d2, the mean of both nodes'; m = EI (kb - kappa)
-            const Triple a1 = d1_a[k];
-            const Triple b1 = d1_b[k];
+            const Triple a1 = a_node.d1[k];
+            const Triple b1 = b_node.d1[k];
             const Triple a2 = cross(ta, a1);
             const Triple b2 = cross(tb, b1);
-            const Triple kappa_a = combine(bend10[k], a1, bend20[k], a2);
-            const Triple kappa_b = combine(bend10[k], b1, bend20[k], b2);
+            const Triple kappa_a = combine(c.bend10[k], a1, c.bend20[k], a2);
+            const Triple kappa_b = combine(c.bend10[k], b1, c.bend20[k], b2);
             const Triple kappa = combine(0.5, kappa_a, 0.5, kappa_b);
-            const double ei = bending[k];
+            const double ei = c.bending[k];
             const Triple moment = {ei * (bend * a.x - kappa.x), ei * (bend * a.y - kappa.y),
                                    ei * (bend * a.z - kappa.z)};
             // gradient of h m . kb: f = b / sin b of c = cos b, f' = (f c - 1) / |a|^2
@@ -185,233 +246,190 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Block
             // gradient of -h m . kappa as the frames turn
             const Triple turn_a = cross(kappa_a, moment);
             const Triple turn_b = cross(kappa_b, moment);
-            first_couple.set(k, combine(1.0, on_first, 0.5 * h, turn_a));
-            last_couple.set(k, combine(-1.0, on_last, 0.5 * h, turn_b));
+            out.first_couple.set(k, combine(1.0, on_first, 0.5 * h, turn_a));
+            out.last_couple.set(k, combine(-1.0, on_last, 0.5 * h, turn_b));
             bending_moment = {0.0, 0.0, 0.0};
         }
         if constexpr (damping != Damping::none) {
             // rates of strain from velocities: g' = dv/h - w x D, k' = dw/h
-            const Triple wa = combine(1.0, w_a[k], spin_a[k], ta);
-            const Triple wb = combine(1.0, w_b[k], spin_b[k], tb);
+            const Triple wa = combine(1.0, a_node.w[k], a_node.s[k], ta);
+            const Triple wb = combine(1.0, b_node.w[k], b_node.s[k], tb);
             const Triple mean = combine(0.5, wa, 0.5, wb);
             const Triple g_rate =
-                combine(1.0, combine(ih, v_b[k], -ih, v_a[k]), -1.0, cross(mean, d));
+                combine(1.0, combine(ih, b_node.v[k], -ih, a_node.v[k]), -1.0, cross(mean, d));
             const Triple k_rate = combine(ih, wb, -ih, wa);
-            drag_force.set(k, scaled(internal_damping, g_rate));
-            drag_couple.set(k, scaled(internal_damping, k_rate));
+            out.drag_force.set(k, scaled(internal_damping, g_rate));
+            out.drag_couple.set(k, scaled(internal_damping, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
                 const double g_along = dot(g_rate, m);
-                const double stretching = kelvin_voigt * axial[k] * g_along;
-                const double shearing = kelvin_voigt * shear[k];
-                const double twisting = kelvin_voigt * torsion[k] * dot(k_rate, m);
+                const double stretching = kelvin_voigt * c.axial[k] * g_along;
+                const double shearing = kelvin_voigt * c.shear[k];
+                const double twisting = kelvin_voigt * c.torsion[k] * dot(k_rate, m);
                 const Triple along_both = combine(1.0, ta, 1.0, tb);
                 const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
-                viscous_pull.set(k, n_rate);
-                viscous_lean.set(k, scaled(0.5 * h, cross(d, n_rate)));
-                viscous_couple.set(k, combine(kelvin_voigt * bending[k], without(k_rate, m),
-                                              twisting * inverse_one, along_both));
-                viscous_torque[k] = twisting;
+                out.viscous_pull.set(k, n_rate);
+                out.viscous_lean.set(k, scaled(0.5 * h, cross(d, n_rate)));
+                out.viscous_couple.set(k, combine(kelvin_voigt * c.bending[k], without(k_rate, m),
+                                                  twisting * inverse_one, along_both));
+                out.viscous_torque[k] = twisting;
             }
         }
         const double t = torque * inverse_one;
-        pull.set(k, n);
-        couple.set(k, combine(1.0, bending_moment, t, combine(1.0, ta, 1.0, tb)));
-        torque_out[k] = torque;
-        lean.set(k, scaled(w, sh));
+        out.pull.set(k, n);
+        out.couple.set(k, combine(1.0, bending_moment, t, combine(1.0, ta, 1.0, tb)));
+        out.torque[k] = torque;
+        out.twist[k] = twist;
+        out.lean.set(k, scaled(w, sh));
     };
 #pragma omp simd
     for (std::size_t k = 0; k < count; ++k)
         segment(k);
 }
 
+// ------------------------------------------------------------------ nodes
+
 /// What surrounds the nodes, as far as a kernel has to know.
-enum class Around { nothing, wall, wall_paper_law, wall_and_mud, wall_and_mud_paper_law };
+enum class Around { nothing, wall, wall_and_mud };
 
-constexpr bool has_wall(Around around) {
-    return around != Around::nothing;
+/// Velocities and the well frame between the loops of a span in a well.
+struct Held {
+    static constexpr std::size_t entries = most_blocks_at_once * block_size;
+    alignas(block_alignment) double line[18][entries];
+
+    DRILLSTRAND_INLINE Triples triples(std::size_t i) {
+        return {line[i], line[i + 1], line[i + 2]};
+    }
+};
+
+/// Named lines of what is held: the velocity and the spin after the rod's forces and the damping
+/// (`v`, `s`) and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity
+/// in it (`u`) and the eccentricity.
+struct HeldRows {
+    explicit HeldRows(Held& held)
+        : v(held.triples(0)),
+          v_rod(held.triples(3)),
+          r(held.triples(6)),
+          l(held.triples(9)),
+          s(held.line[12]),
+          s_rod(held.line[13]),
+          u_r(held.line[14]),
+          u_l(held.line[15]),
+          u_t(held.line[16]),
+          eccentricity(held.line[17]) {}
+    Triples v, v_rod, r, l;
+    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity;
+};
+
+DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
+    return {rows.x[k], rows.y[k], rows.z[k]};
 }
-constexpr bool has_mud(Around around) {
-    return around == Around::wall_and_mud || around == Around::wall_and_mud_paper_law;
-}
-constexpr bool has_paper_law(Around around) {
-    return around == Around::wall_paper_law || around == Around::wall_and_mud_paper_law;
-}
 
-template <Around around, Damping damping, bool curved>
-DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const BlockTable& state,
-                                          BlockTable& next, const BlockTable& segments,
-                                          Surroundings& surroundings, BlockSpan span, double kick,
-                                          double drift) {
-    const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
-    const std::size_t count = span.entries();
-    if (count == 0) return {};  // or the compiler would keep scalar loops for it
-    const Constants& c = model.constants;
-    const ConstRows x_in = rows_at(state, position, first);
-    const ConstRows v_in = rows_at(state, velocity, first);
-    const ConstRows t_in = rows_at(state, director, first);
-    const ConstRows w_in = rows_at(state, angular_velocity, first);
-    const ConstRows d1_in = rows_at(state, material, first);
-    const double* spin_in = state.row(spin) + first;
-    const Rows x_out = rows_at(next, position, first);
-    const Rows v_out = rows_at(next, velocity, first);
-    const Rows t_out = rows_at(next, director, first);
-    const Rows w_out = rows_at(next, angular_velocity, first);
-    const Rows last_out = rows_at(next, last_director, first);
-    const Rows d1_out = rows_at(next, material, first);
-    double* spin_out = next.row(spin) + first;
-    const ConstRows pull_after = rows_at(segments, SegmentRow::pull, first);
-    const ConstRows pull_before = rows_at(segments, SegmentRow::pull, first - 1);
-    const ConstRows couple_after = rows_at(segments, SegmentRow::couple, first);
-    const ConstRows couple_before = rows_at(segments, SegmentRow::couple, first - 1);
-    const ConstRows lean_after = rows_at(segments, SegmentRow::lean, first);
-    const ConstRows lean_before = rows_at(segments, SegmentRow::lean, first - 1);
-    const double* torque_after = segments.row(SegmentRow::torque) + first;
-    const double* torque_before = torque_after - 1;
-    const ConstRows drag_force_before = rows_at(segments, SegmentRow::drag_force, first - 1);
-    const ConstRows drag_couple_before = rows_at(segments, SegmentRow::drag_couple, first - 1);
-    const ConstRows viscous_pull_after = rows_at(segments, SegmentRow::viscous_pull, first);
-    const ConstRows viscous_pull_before = rows_at(segments, SegmentRow::viscous_pull, first - 1);
-    const ConstRows viscous_couple_after = rows_at(segments, SegmentRow::viscous_couple, first);
-    const ConstRows viscous_couple_before =
-        rows_at(segments, SegmentRow::viscous_couple, first - 1);
-    const ConstRows viscous_lean_after = rows_at(segments, SegmentRow::viscous_lean, first);
-    const ConstRows viscous_lean_before = rows_at(segments, SegmentRow::viscous_lean, first - 1);
-    const double* viscous_torque_after = segments.row(SegmentRow::viscous_torque) + first;
-    const double* viscous_torque_before = viscous_torque_after - 1;
-    const ConstRows first_couple = rows_at(segments, SegmentRow::first_couple, first);
-    const ConstRows last_couple = rows_at(segments, SegmentRow::last_couple, first - 1);
-    const double* inverse_cell = c.row(Constants::inverse_cell) + first;
-    const double* mobile_cell = c.row(Constants::mobile_cell) + first;
-    const double* mass = c.row(Constants::mass) + first;
-    const double* inverse_mass = c.row(Constants::inverse_mass) + first;
-    const double* polar = c.row(Constants::polar) + first;
-    const double* inverse_polar = c.row(Constants::inverse_polar) + first;
-    const double* transverse = c.row(Constants::transverse) + first;
-    const double* inverse_transverse = c.row(Constants::inverse_transverse) + first;
-    const double* weight = c.row(Constants::weight) + first;
-    const Triple down = triple(model.down);
-    const double external_damping = model.external_damping;
+/// The forces of the rod on its nodes, and their motion.
+template <bool wall, Damping damping, bool curved>
+struct RodNodes {
+    RodNodes(const DirectorModel& model, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+             const Table<SegmentRow>& segments, std::ptrdiff_t first, double kick_s, double drift_s)
+        : c(model.constants, first),
+          in(rod, first),
+          out(next, first),
+          after(segments, first),
+          before(segments, first - 1),
+          down(triple(model.down)),
+          external_damping(model.external_damping),
+          kick(kick_s),
+          drift(drift_s) {}
 
-    using S = Surroundings;
-    constexpr bool wall = has_wall(around);
-    const auto s_row = [&](S::Row row) { return wall ? surroundings.row(row) + first : nullptr; };
-    const ConstRows arc_start = {s_row(S::start_x), s_row(S::start_y), s_row(S::start_z)};
-    const ConstRows arc_tangent = {s_row(S::tangent_x), s_row(S::tangent_y), s_row(S::tangent_z)};
-    const ConstRows arc_normal = {s_row(S::normal_x), s_row(S::normal_y), s_row(S::normal_z)};
-    const double* curvature = s_row(S::curvature);
-    const double* hole = s_row(S::hole);
-    const double* end_cosine = s_row(S::end_cosine);
-    const double* reach = s_row(S::reach);
-    const double* concentric_axial = s_row(S::concentric_axial);
-    const double* pipe = s_row(S::pipe);
-    const double* stiffness = s_row(S::stiffness);
-    const double* dashpot = s_row(S::damping);
-    double* elongation_axial = s_row(S::elongation_axial);
-    double* elongation_azimuthal = s_row(S::elongation_azimuthal);
-    double* sliding = s_row(S::sliding);
-    double* depth = s_row(S::depth);
-    double* normal_out = s_row(S::normal);
-    double* leaves = s_row(S::leaves);
-    const SurroundingsParameters& p = surroundings.parameters();
-    const FrictionParameters friction = p.friction;
-    const double least_normal = p.least_normal;
-    const double viscosity = p.viscosity;
-    const double film = p.film;
-    const double eccentric_axial = p.eccentric_axial_drag ? 1.0 : 0.0;
-
-    // between the loops of a block in a well: velocities and the well frame
-    alignas(block_alignment) double hold[18][most_blocks_at_once * block_size];
-    const Rows v_held = {hold[0], hold[1], hold[2]};
-    const Rows v_rod_held = {hold[3], hold[4], hold[5]};
-    const Rows r_held = {hold[6], hold[7], hold[8]};
-    const Rows l_held = {hold[9], hold[10], hold[11]};
-    double* s_held = hold[12];
-    double* s_rod_held = hold[13];
-    double* u_r = hold[14];
-    double* u_l = hold[15];
-    double* u_t = hold[16];
-    double* eccentricity = hold[17];
+    NodeConstants c;
+    NodesIn in;
+    NodesOut out;
+    SegmentsIn after, before;  ///< the segments on the bit's and on the head's side
+    Triple down;
+    double external_damping, kick, drift;
 
     /// Directors follow angular velocities: t turned by dt Om, exactly of unit length.
-    const auto turn = [&](std::size_t k, const Triple& w) DRILLSTRAND_LAMBDA {
-        const Triple t = t_in[k];
+    DRILLSTRAND_INLINE void turn(std::size_t k, const Triple& w) const {
+        const Triple t = in.t[k];
         const double q = 0.25 * drift * drift * dot(w, w);
         const double inverse_q = 1.0 / (1.0 + q);
-        w_out.set(k, w);
-        t_out.set(k, combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t)));
-        last_out.set(k, t);
-    };
+        out.w.set(k, w);
+        out.t.set(k, combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t)));
+        out.last_t.set(k, t);
+        out.last_twist[k] = after.twist[k];
+    }
+
+    /// d1 goes along with t by the shortest way, then turns about it by dt s.
+    DRILLSTRAND_INLINE void turn_material(std::size_t k, double s) const {
+        const Triple t = in.t[k];
+        const Triple moved = at(out.t, k);
+        const Triple d1 = in.d1[k];
+        const Triple sum = combine(1.0, t, 1.0, moved);
+        const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
+        const Triple along = combine(1.0, d1, -onto, sum);
+        // Cayley's rotation, by the tangent of half the angle to its fifth power
+        const double angle = drift * s;
+        const double a2 = angle * angle;
+        const double tangent = 0.5 * angle * (1.0 + a2 * (1.0 / 12.0) * (1.0 + a2 * 0.1));
+        const double unit = 1.0 / (1.0 + tangent * tangent);
+        out.d1.set(k, combine((1.0 - tangent * tangent) * unit, along, 2.0 * tangent * unit,
+                              cross(moved, along)));
+    }
 
     /// Positions follow velocities after all forces: x += dt v. The work of damping and
     /// surroundings is theirs times the mean of the velocities of both half steps.
-    const auto move = [&](std::size_t k, const Triple& v, const Triple& v_rod, double s,
-                          double s_rod) DRILLSTRAND_LAMBDA {
+    DRILLSTRAND_INLINE NodeStep move(std::size_t k, const Triple& v, const Triple& v_rod, double s,
+                                     double s_rod) const {
         NodeStep done;
         if constexpr (wall || damping != Damping::none) {
             const double work =
-                mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, v_in[k], 0.5, v)) +
-                polar[k] * (s - s_rod) * 0.5 * (spin_in[k] + s);
-            done.outflow = -mobile_cell[k] * work;
+                c.mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, in.v[k], 0.5, v)) +
+                c.polar[k] * (s - s_rod) * 0.5 * (in.s[k] + s);
+            done.outflow = -c.mobile_cell[k] * work;
         }
-        done.faults = mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
-        x_out.set(k, combine(1.0, x_in[k], drift, v));
-        v_out.set(k, v);
-        spin_out[k] = s;
-        if constexpr (curved) {
-            // d1 goes along with t by the shortest way, then turns about it by dt s
-            const Triple t = t_in[k];
-            const Triple moved = {t_out.x[k], t_out.y[k], t_out.z[k]};
-            const Triple d1 = d1_in[k];
-            const Triple sum = combine(1.0, t, 1.0, moved);
-            const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
-            const Triple carried = combine(1.0, d1, -onto, sum);
-            // Cayley's rotation, by the tangent of half the angle to its fifth power
-            const double angle = drift * s;
-            const double a2 = angle * angle;
-            const double tangent = 0.5 * angle * (1.0 + a2 * (1.0 / 12.0) * (1.0 + a2 * 0.1));
-            const double unit = 1.0 / (1.0 + tangent * tangent);
-            d1_out.set(k, combine((1.0 - tangent * tangent) * unit, carried, 2.0 * tangent * unit,
-                                  cross(moved, carried)));
-        }
+        done.faults = c.mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
+        out.x.set(k, combine(1.0, in.x[k], drift, v));
+        out.v.set(k, v);
+        out.s[k] = s;
+        if constexpr (curved) turn_material(k, s);
         return done;
-    };
+    }
 
-    /// Velocities after the forces of the rod, the weight and the damping.
-    const auto predict = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-        const Triple t = t_in[k];
-        const double ic = inverse_cell[k];
-        const double to_velocity = kick * inverse_mass[k];
-        const double to_spin = kick * inverse_polar[k];
-        const double to_turning = kick * inverse_transverse[k];
+    /// Velocities after the forces of the rod, the weight and the damping; moves the node, or
+    /// leaves that to what surrounds it.
+    DRILLSTRAND_INLINE NodeStep predict(std::size_t k, const HeldRows& held) const {
+        const Triple t = in.t[k];
+        const double ic = c.inverse_cell[k];
+        const double to_velocity = kick * c.inverse_mass[k];
+        const double to_spin = kick * c.inverse_polar[k];
+        const double to_turning = kick * c.inverse_transverse[k];
 
         // rod: differences of the segments' forces over the cell
-        Triple force = combine(ic, pull_after[k], -ic, pull_before[k]);
-        const double mg = weight[k];
+        Triple force = combine(ic, after.pull[k], -ic, before.pull[k]);
+        const double mg = c.weight[k];
         force = combine(1.0, force, mg, down);
-        const Triple leaning = cross(t, combine(ic, lean_after[k], ic, lean_before[k]));
-        Triple couple = combine(ic, couple_after[k], -ic, couple_before[k]);
+        const Triple leaning = cross(t, combine(ic, after.lean[k], ic, before.lean[k]));
+        Triple couple = combine(ic, after.couple[k], -ic, before.couple[k]);
         couple = combine(1.0, couple, 1.0, leaning);
-        double torque = ic * (torque_after[k] - torque_before[k]);
+        double torque = ic * (after.torque[k] - before.torque[k]);
         if constexpr (curved) {
-            const Triple own = combine(ic, first_couple[k], ic, last_couple[k]);
+            const Triple own = combine(ic, after.first_couple[k], ic, before.last_couple[k]);
             couple = combine(1.0, couple, 1.0, own);
             torque += dot(own, t);
         }
         couple = without(couple, t);
 
-        Triple v = combine(1.0, v_in[k], to_velocity, force);
-        double s = spin_in[k] + to_spin * torque;
+        Triple v = combine(1.0, in.v[k], to_velocity, force);
+        double s = in.s[k] + to_spin * torque;
 
         // gyroscopic term, I dOm/dt = Ip s (t x Om): half with the velocities before the kick,
         // half, implicit, with those after, which keeps the angular momentum to rounding
-        const double gyration = 0.5 * to_turning * polar[k];
-        const double before = gyration * spin_in[k];
-        const double after = gyration * s;
-        Triple w = w_in[k];
-        w = combine(1.0, w, before, cross(t, w));
+        const double gyration = 0.5 * to_turning * c.polar[k];
+        const double gyration_before = gyration * in.s[k];
+        const double gyration_after = gyration * s;
+        Triple w = in.w[k];
+        w = combine(1.0, w, gyration_before, cross(t, w));
         w = combine(1.0, w, to_turning, couple);
-        const double settled = 1.0 / (1.0 + after * after);
-        w = combine(settled, w, after * settled, cross(t, w));
+        const double settled = 1.0 / (1.0 + gyration_after * gyration_after);
+        w = combine(settled, w, gyration_after * settled, cross(t, w));
 
         const Triple v_rod = v;
         const double s_rod = s;
@@ -421,20 +439,20 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Bloc
             // momentum toward the bit: rates of the segment on the head's side, since the mean of
             // both segments gains energy where it lags half a step behind
             const Triple w_rod = w;
-            const Triple dragged = drag_force_before[k];
-            const Triple turned = drag_couple_before[k];
+            const Triple dragged = before.drag_force[k];
+            const Triple turned = before.drag_couple[k];
             Triple resisting = scaled(-1.0, turned);
             Triple pulling = scaled(-1.0, dragged);
             double twisting = -dot(turned, t);
             if constexpr (damping == Damping::kelvin_voigt) {
                 const Triple bending =
-                    combine(ic, viscous_couple_after[k], -ic, viscous_couple_before[k]);
+                    combine(ic, after.viscous_couple[k], -ic, before.viscous_couple[k]);
                 const Triple shearing =
-                    combine(ic, viscous_lean_after[k], ic, viscous_lean_before[k]);
+                    combine(ic, after.viscous_lean[k], ic, before.viscous_lean[k]);
                 resisting = combine(1.0, resisting, 1.0, combine(1.0, bending, 1.0, shearing));
                 pulling = combine(1.0, pulling, 1.0,
-                                  combine(ic, viscous_pull_after[k], -ic, viscous_pull_before[k]));
-                twisting += ic * (viscous_torque_after[k] - viscous_torque_before[k]);
+                                  combine(ic, after.viscous_pull[k], -ic, before.viscous_pull[k]));
+                twisting += ic * (after.viscous_torque[k] - before.viscous_torque[k]);
             }
             v = combine(1.0, v, to_velocity, pulling);
             w = combine(1.0, w, to_turning, without(resisting, t));
@@ -443,67 +461,165 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Bloc
             w = scaled(1.0 / (1.0 + to_turning * external_damping), w);
             s *= 1.0 / (1.0 + to_spin * external_damping);
             const double work =
-                transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, w_in[k], 0.5, w));
-            done.outflow = -mobile_cell[k] * work;
+                c.transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, in.w[k], 0.5, w));
+            done.outflow = -c.mobile_cell[k] * work;
         }
-        done.faults = mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
+        done.faults = c.mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
         turn(k, w);
         if constexpr (wall) {
-            v_held.set(k, v);
-            s_held[k] = s;
-            s_rod_held[k] = s_rod;
-            if constexpr (damping != Damping::none) v_rod_held.set(k, v_rod);
+            held.v.set(k, v);
+            held.s[k] = s;
+            held.s_rod[k] = s_rod;
+            if constexpr (damping != Damping::none) held.v_rod.set(k, v_rod);
         } else {
             const NodeStep moved = move(k, v, v_rod, s, s_rod);
             done.outflow += moved.outflow;
             done.faults += moved.faults;
         }
         return done;
+    }
+};
+
+/// What walls and mud do to the held velocities of nodes in a well.
+template <FrictionLaw law>
+struct WellNodes {
+    WellNodes(const DirectorModel& model, Table<WallRow>& table, const NodeConstants& constants,
+              const HeldRows& held, std::ptrdiff_t first, double kick_s)
+        : c(constants),
+          wall(model.surroundings, table, first),
+          h(held),
+          kick(kick_s),
+          friction(model.surroundings.parameters().friction),
+          least_normal(model.surroundings.parameters().least_normal),
+          viscosity(model.surroundings.parameters().viscosity),
+          film(model.surroundings.parameters().film),
+          eccentric_axial(model.surroundings.parameters().eccentric_axial_drag ? 1.0 : 0.0) {}
+
+    NodeConstants c;
+    WallRows wall;
+    HeldRows h;
+    double kick;
+    FrictionParameters friction;
+    double least_normal, viscosity, film, eccentric_axial;
+
+    DRILLSTRAND_INLINE Mobility mobility(std::size_t k) const {
+        return {kick * c.inverse_mass[k], kick * c.inverse_polar[k]};
+    }
+
+    /// Where the node is in the well.
+    struct Place {
+        double leaves, touches, touched, impact;
     };
+    /// Finds its place, and its velocity along the directions of the well.
+    DRILLSTRAND_INLINE Place surround(std::size_t k, const Triple& x) const {
+        const WellFrame frame = well_frame(x, wall.arc(k));
+        const double dr = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
+        const Triple v = at(h.v, k);
+        Place place;
+        place.leaves = foot_leaves(frame, wall.end_cosine[k], wall.reach[k]) ? 1.0 : 0.0;
+        place.touches = dr > 0.0 ? 1.0 : 0.0;
+        place.touched = wall.depth[k] > 0.0 ? 1.0 : 0.0;
+        place.impact = place.touches * (1.0 - place.touched);
+        wall.leaves[k] = place.leaves;
+        wall.depth[k] = dr;
+        h.eccentricity[k] = frame.eccentricity;
+        h.r.set(k, frame.r);
+        h.l.set(k, frame.l);
+        h.u_r[k] = dot(v, frame.r);
+        h.u_l[k] = dot(v, frame.l);
+        h.u_t[k] = dot(v, frame.t);
+        return place;
+    }
+
+    DRILLSTRAND_INLINE void press(std::size_t k) const {
+        const Mobility m = mobility(k);
+        const double approach = h.u_r[k] - circling_speed(h.eccentricity[k], h.u_t[k], kick);
+        const double normal = implicit_normal_force(wall.depth[k], approach, wall.stiffness[k],
+                                                    wall.dashpot[k], least_normal, kick, m);
+        wall.normal[k] = normal;
+        h.u_r[k] += m.translation * normal;
+    }
+
+    /// 1 where the node began to slide.
+    DRILLSTRAND_INLINE double rub(std::size_t k) const {
+        const Mobility m = mobility(k);
+        const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
+        const double dr = wall.depth[k];
+        const double normal = wall.normal[k];
+        const FrictionSpring spring = wall.spring(k);
+        const FrictionStep done =
+            law == FrictionLaw::paper
+                ? paper_step(spring, u, wall.stiffness[k] * dr, dr, wall.pipe[k], kick, m, friction)
+                : coulomb_step(spring, u, normal, dr, wall.pipe[k], kick, m, friction);
+        const double slip = done.spring.sliding > wall.sliding[k] ? 1.0 : 0.0;
+        wall.elongation_axial[k] = done.spring.elongation.axial;
+        wall.elongation_azimuthal[k] = done.spring.elongation.azimuthal;
+        wall.sliding[k] = done.spring.sliding;
+        h.u_l[k] = u.l + m.translation * done.force.axial;
+        h.u_t[k] = u.t + m.translation * done.force.azimuthal;
+        h.s[k] = u.spin + m.rotation * wall.pipe[k] * done.force.azimuthal;
+        return slip;
+    }
+
+    DRILLSTRAND_INLINE void wade(std::size_t k) const {
+        const double eccentricity =
+            drag_eccentricity(h.eccentricity[k], wall.pipe[k], wall.hole[k], film);
+        const DragCoefficients drag = drag_coefficients(eccentricity, wall.pipe[k], wall.hole[k]);
+        const double axial = eccentric_axial * drag.axial + wall.concentric_axial[k];
+        // nodes in contact get no fluid force (paper)
+        const WellVelocity after =
+            implicit_drag({h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]}, drag, axial,
+                          wall.depth[k] > 0.0 ? 0.0 : viscosity, mobility(k));
+        h.u_r[k] = after.r;
+        h.u_l[k] = after.l;
+        h.u_t[k] = after.t;
+        h.s[k] = after.spin;
+    }
+
+    /// The velocity in space: changes along r, l and t, on the velocity before them.
+    DRILLSTRAND_INLINE Triple velocity(std::size_t k) const {
+        const Triple r = at(h.r, k);
+        const Triple l = at(h.l, k);
+        const Triple t = cross(r, l);
+        const Triple before = at(h.v, k);
+        Triple v = combine(1.0, before, h.u_r[k] - dot(before, r), r);
+        v = combine(1.0, v, h.u_l[k] - dot(before, l), l);
+        return combine(1.0, v, h.u_t[k] - dot(before, t), t);
+    }
+};
+
+template <Around around, FrictionLaw law, Damping damping, bool curved>
+DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Table<DirectorRow>& rod,
+                                          Table<DirectorRow>& next,
+                                          const Table<SegmentRow>& segments, Table<WallRow>& wall,
+                                          BlockSpan span, double kick, double drift) {
+    const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
+    const std::size_t count = span.entries();
+    if (count == 0) return {};  // or the compiler would keep scalar loops for it
+    constexpr bool in_well = around != Around::nothing;
+    Held scratch;
+    const HeldRows held(scratch);
+    const RodNodes<in_well, damping, curved> nodes(model, rod, next, segments, first, kick, drift);
 
     double outflow = 0.0;
     double faults = 0.0;
 #pragma omp simd reduction(+ : outflow, faults)
     for (std::size_t k = 0; k < count; ++k) {
-        const NodeStep done = predict(k);
+        const NodeStep done = nodes.predict(k, held);
         outflow += done.outflow;
         faults += done.faults;
     }
-    if constexpr (!wall) {
+    if constexpr (!in_well) {
         return {outflow, 0.0, 0.0, 0.0, faults};
     } else {
-        /// Where the node is in the well, and how it moves there.
-        struct Place {
-            double leaves, touches, touched, impact;
-        };
-        const auto surround = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            const ArcNumbers arc = {arc_start[k], arc_tangent[k], arc_normal[k], curvature[k],
-                                    hole[k]};
-            const WellFrame frame = well_frame(x_in[k], arc);
-            const double dr = penetration(frame.eccentricity, hole[k], pipe[k]);
-            const Triple v = {hold[0][k], hold[1][k], hold[2][k]};
-            Place place;
-            place.leaves = foot_leaves(frame, end_cosine[k], reach[k]) ? 1.0 : 0.0;
-            place.touches = dr > 0.0 ? 1.0 : 0.0;
-            place.touched = depth[k] > 0.0 ? 1.0 : 0.0;
-            place.impact = place.touches * (1.0 - place.touched);
-            leaves[k] = place.leaves;
-            depth[k] = dr;
-            eccentricity[k] = frame.eccentricity;
-            r_held.set(k, frame.r);
-            l_held.set(k, frame.l);
-            u_r[k] = dot(v, frame.r);
-            u_l[k] = dot(v, frame.l);
-            u_t[k] = dot(v, frame.t);
-            return place;
-        };
+        const WellNodes<law> well(model, wall, nodes.c, held, first, kick);
         double leavers = 0.0;
         double touching = 0.0;
         double touched = 0.0;
         double impacts = 0.0;
 #pragma omp simd reduction(+ : leavers, touching, touched, impacts)
         for (std::size_t k = 0; k < count; ++k) {
-            const Place place = surround(k);
+            const auto place = well.surround(k, nodes.in.x[k]);
             leavers += place.leaves;
             touching += place.touches;
             touched += place.touched;
@@ -511,99 +627,39 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Bloc
         }
 
         // pressing and rubbing in two loops: what waits for the one does not hold up the other
-        const auto press = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
-            const double approach = u_r[k] - circling_speed(eccentricity[k], u_t[k], kick);
-            const double normal = implicit_normal_force(depth[k], approach, stiffness[k],
-                                                        dashpot[k], least_normal, kick, mobility);
-            normal_out[k] = normal;
-            u_r[k] += mobility.translation * normal;
-        };
-        const auto rub = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
-            const WellVelocity u = {u_r[k], u_l[k], u_t[k], s_held[k]};
-            const double dr = depth[k];
-            const double normal = normal_out[k];
-            const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]},
-                                           sliding[k]};
-            const FrictionStep done =
-                has_paper_law(around)
-                    ? paper_step(spring, u, stiffness[k] * dr, dr, pipe[k], kick, mobility,
-                                 friction)
-                    : coulomb_step(spring, u, normal, dr, pipe[k], kick, mobility, friction);
-            const double slip = done.spring.sliding > sliding[k] ? 1.0 : 0.0;
-            elongation_axial[k] = done.spring.elongation.axial;
-            elongation_azimuthal[k] = done.spring.elongation.azimuthal;
-            sliding[k] = done.spring.sliding;
-            u_l[k] = u.l + mobility.translation * done.force.axial;
-            u_t[k] = u.t + mobility.translation * done.force.azimuthal;
-            s_held[k] = u.spin + mobility.rotation * pipe[k] * done.force.azimuthal;
-            return slip;
-        };
         double slips = 0.0;
         const bool contact = touching + touched > 0.0;
         if (contact) {
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
-                press(k);
+                well.press(k);
 #pragma omp simd reduction(+ : slips)
             for (std::size_t k = 0; k < count; ++k)
-                slips += rub(k);
+                slips += well.rub(k);
         }
 
-        if constexpr (has_mud(around)) {
-            const auto wade = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-                const Mobility mobility = {kick * inverse_mass[k], kick * inverse_polar[k]};
-                const double held = drag_eccentricity(eccentricity[k], pipe[k], hole[k], film);
-                const DragCoefficients drag = drag_coefficients(held, pipe[k], hole[k]);
-                const double axial = eccentric_axial * drag.axial + concentric_axial[k];
-                // nodes in contact get no fluid force (paper)
-                const WellVelocity after =
-                    implicit_drag({u_r[k], u_l[k], u_t[k], s_held[k]}, drag, axial,
-                                  depth[k] > 0.0 ? 0.0 : viscosity, mobility);
-                u_r[k] = after.r;
-                u_l[k] = after.l;
-                u_t[k] = after.t;
-                s_held[k] = after.spin;
-            };
+        if constexpr (around == Around::wall_and_mud) {
             if (touching < static_cast<double>(count)) {
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
-                    wade(k);
+                    well.wade(k);
             }
         }
 
-        const auto rod_velocity = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            constexpr std::size_t row = damping == Damping::none ? 0 : 3;
-            return Triple{hold[row][k], hold[row + 1][k], hold[row + 2][k]};
-        };
-        const auto leave = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            // changes along r, l and t, on the velocity before them
-            const Triple r = {hold[6][k], hold[7][k], hold[8][k]};
-            const Triple l = {hold[9][k], hold[10][k], hold[11][k]};
-            const Triple t = cross(r, l);
-            const Triple before = {hold[0][k], hold[1][k], hold[2][k]};
-            const Triple v_rod = rod_velocity(k);
-            Triple v = combine(1.0, before, u_r[k] - dot(before, r), r);
-            v = combine(1.0, v, u_l[k] - dot(before, l), l);
-            v = combine(1.0, v, u_t[k] - dot(before, t), t);
-            return move(k, v, v_rod, s_held[k], s_rod_held[k]);
-        };
-        const auto pass = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            const Triple v = {hold[0][k], hold[1][k], hold[2][k]};
-            return move(k, v, rod_velocity(k), s_held[k], s_rod_held[k]);
-        };
-        if (has_mud(around) || contact) {
+        const Triples& v_rod = damping == Damping::none ? held.v : held.v_rod;
+        if (around == Around::wall_and_mud || contact) {
 #pragma omp simd reduction(+ : outflow, faults)
             for (std::size_t k = 0; k < count; ++k) {
-                const NodeStep done = leave(k);
+                const NodeStep done =
+                    nodes.move(k, well.velocity(k), at(v_rod, k), held.s[k], held.s_rod[k]);
                 outflow += done.outflow;
                 faults += done.faults;
             }
         } else {
 #pragma omp simd reduction(+ : outflow, faults)
             for (std::size_t k = 0; k < count; ++k) {
-                const NodeStep done = pass(k);
+                const NodeStep done =
+                    nodes.move(k, at(held.v, k), at(v_rod, k), held.s[k], held.s_rod[k]);
                 outflow += done.outflow;
                 faults += done.faults;
             }
@@ -612,66 +668,77 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Bloc
     }
 }
 
-using SegmentKernel = void (*)(const DirectorModel&, const BlockTable&, BlockTable&, BlockSpan,
-                               double);
-using NodeKernel = NodeStep (*)(const DirectorModel&, const BlockTable&, BlockTable&,
-                                const BlockTable&, Surroundings&, BlockSpan, double, double);
+// ------------------------------------------------------------------ one instance per set of
+// features
 
-template <Damping damping>
-SegmentKernel segment_kernel_damped(bool curved) {
-    return curved ? segments_of_span<damping, true> : segments_of_span<damping, false>;
-}
+using SegmentKernel = void (*)(const DirectorModel&, const Table<DirectorRow>&, Table<SegmentRow>&,
+                               BlockSpan, double);
+using NodeKernel = NodeStep (*)(const DirectorModel&, const Table<DirectorRow>&,
+                                Table<DirectorRow>&, const Table<SegmentRow>&, Table<WallRow>&,
+                                BlockSpan, double, double);
 
-SegmentKernel segment_kernel(const DirectorFeatures& features) {
+/// Calls `use` with the damping and the own shape of a scene as constants.
+template <class Use>
+auto with_features(const DirectorFeatures& features, const Use& use) {
+    const auto with_shape = [&](auto damping) {
+        return features.curved ? use(damping, std::true_type()) : use(damping, std::false_type());
+    };
     switch (features.damping) {
         case Damping::none:
-            return segment_kernel_damped<Damping::none>(features.curved);
+            return with_shape(std::integral_constant<Damping, Damping::none>());
         case Damping::paper:
-            return segment_kernel_damped<Damping::paper>(features.curved);
+            return with_shape(std::integral_constant<Damping, Damping::paper>());
         default:
-            return segment_kernel_damped<Damping::kelvin_voigt>(features.curved);
+            return with_shape(std::integral_constant<Damping, Damping::kelvin_voigt>());
     }
 }
 
-template <Around around, Damping damping>
-NodeKernel node_kernel_damped(bool curved) {
-    return curved ? nodes_of_span<around, damping, true> : nodes_of_span<around, damping, false>;
+SegmentKernel segment_kernel(const DirectorModel& model) {
+    return with_features(model.features, [](auto damping, auto curved) -> SegmentKernel {
+        return segments_of_span<damping(), curved()>;
+    });
 }
 
-template <Around around>
-NodeKernel node_kernel_around(const DirectorFeatures& features) {
-    switch (features.damping) {
-        case Damping::none:
-            return node_kernel_damped<around, Damping::none>(features.curved);
-        case Damping::paper:
-            return node_kernel_damped<around, Damping::paper>(features.curved);
-        default:
-            return node_kernel_damped<around, Damping::kelvin_voigt>(features.curved);
-    }
+template <Around around, FrictionLaw law>
+NodeKernel node_kernel_around(const DirectorModel& model) {
+    return with_features(model.features, [](auto damping, auto curved) -> NodeKernel {
+        return nodes_of_span<around, law, damping(), curved()>;
+    });
 }
 
-NodeKernel node_kernel(const DirectorModel& model, const SurroundingsParameters& p) {
-    const bool paper = p.friction.cone < 0.5;
-    if (!model.scene_features.well) return node_kernel_around<Around::nothing>(model.features);
-    if (model.scene_features.drag)
-        return paper ? node_kernel_around<Around::wall_and_mud_paper_law>(model.features)
-                     : node_kernel_around<Around::wall_and_mud>(model.features);
-    return paper ? node_kernel_around<Around::wall_paper_law>(model.features)
-                 : node_kernel_around<Around::wall>(model.features);
+NodeKernel node_kernel(const DirectorModel& model) {
+    const SceneFeatures& scene = model.scene_features;
+    if (!scene.well) return node_kernel_around<Around::nothing, FrictionLaw::coulomb>(model);
+    if (model.surroundings.parameters().friction.law == FrictionLaw::paper)
+        return scene.drag ? node_kernel_around<Around::wall_and_mud, FrictionLaw::paper>(model)
+                          : node_kernel_around<Around::wall, FrictionLaw::paper>(model);
+    return scene.drag ? node_kernel_around<Around::wall_and_mud, FrictionLaw::coulomb>(model)
+                      : node_kernel_around<Around::wall, FrictionLaw::coulomb>(model);
 }
 
 }  // namespace
 
-void director_segments(const DirectorModel& model, const BlockTable& state, BlockTable& segments,
-                       BlockSpan span, double drift) {
-    segment_kernel(model.features)(model, state, segments, span, drift);
+void director_segments(const DirectorModel& model, const Table<DirectorRow>& rod,
+                       Table<SegmentRow>& segments, BlockSpan span, double drift) {
+    segment_kernel(model)(model, rod, segments, span, drift);
 }
 
-NodeStep director_nodes(const DirectorModel& model, const BlockTable& state, BlockTable& next,
-                        const BlockTable& segments, Surroundings& surroundings, BlockSpan span,
-                        double kick, double drift) {
-    return node_kernel(model, surroundings.parameters())(model, state, next, segments, surroundings,
-                                                         span, kick, drift);
+void write_end_load(Table<SegmentRow>& segments, std::ptrdiff_t ghost, const EndLoad& load,
+                    const Eigen::Vector3d& director) {
+    for (const RowInfo<SegmentRow>& info : row_list<SegmentRow>) {
+        if (info.row == SegmentRow::twist) continue;
+        for (std::size_t i = 0; i < info.width; ++i)
+            segments.row(info.row, i)[ghost] = 0.0;
+    }
+    segments.set(SegmentRow::pull, ghost, load.force);
+    segments.set(SegmentRow::couple, ghost, load.couple);
+    segments.row(SegmentRow::torque)[ghost] = load.couple.dot(director);
+}
+
+NodeStep director_nodes(const DirectorModel& model, const Table<DirectorRow>& rod,
+                        Table<DirectorRow>& next, const Table<SegmentRow>& segments,
+                        Table<WallRow>& wall, BlockSpan span, double kick, double drift) {
+    return node_kernel(model)(model, rod, next, segments, wall, span, kick, drift);
 }
 
 }  // namespace drillstrand

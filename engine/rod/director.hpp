@@ -3,7 +3,7 @@
 /// Equations: engine/rod/README.md, "Director rod".
 ///
 /// A pipe is circular, so no material frame has to spin along. One step of the leapfrog is one pass
-/// over the segments and one over the nodes; the state of the last whole step is read, that of the
+/// over the segments and one over the nodes; the rod of the last whole step is read, that of the
 /// next is written, so that neighbours never see a half-finished step.
 #pragma once
 
@@ -12,21 +12,10 @@
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
 #include "numerics/block_table.hpp"
+#include "rod/end.hpp"
+#include "state/rows.hpp"
 
 namespace drillstrand {
-
-/// Rows of the state of the nodes. Positions and directors belong to whole steps, velocities to the
-/// half step before; vectors in the space frame take three rows.
-enum DirectorRow : std::size_t {
-    position = 0,          ///< x (m)
-    velocity = 3,          ///< v (m/s)
-    director = 6,          ///< t, unit
-    angular_velocity = 9,  ///< Om, normal to t (rad/s)
-    last_director = 12,    ///< t of the step before
-    spin = 15,             ///< s = w . t (rad/s)
-    material = 16,  ///< d1, normal to t; carried only where a curved stress-free shape needs it
-    director_rows = 19
-};
 
 /// Constants of the rod in the layout of the step loop.
 class DirectorConstants {
@@ -61,25 +50,40 @@ class DirectorConstants {
     BlockTable table_;
 };
 
-/// What segments hand to nodes; `twist` is state, the rest is written anew each step.
-struct SegmentRow {
-    enum Row : std::size_t {
-        twist = 0,            // tau (1/m), without the stress-free twist
-        pull = 1,             // 3 rows, n: force on the first node, its reaction on the last (N)
-        couple = 4,           // 3 rows, on the first node, its reaction on the last (N m)
-        torque = 7,           // about the directors (N m)
-        lean = 8,             // 3 rows, h W: force on the directors of both nodes (N m)
-        first_couple = 11,    // 3 rows, own-shape couples on the first node (N m)
-        last_couple = 14,     // 3 rows, and on the last (N m)
-        viscous_pull = 17,    // 3 rows, as pull, of Kelvin-Voigt damping (N)
-        viscous_couple = 20,  // 3 rows, as couple (N m)
-        viscous_torque = 23,  // as torque (N m)
-        drag_force = 24,      // 3 rows, D_in times the rate of stretch and shear (N/m)
-        drag_couple = 27,     // 3 rows, D_in times the rate of bending and twist (N)
-        viscous_lean = 30,    // 3 rows, couple of Kelvin-Voigt shear on each node (N m)
-        rows = 33
-    };
+/// What segments hand to nodes, written anew each step.
+enum class SegmentRow {
+    twist,
+    pull,
+    couple,
+    torque,
+    lean,
+    first_couple,
+    last_couple,
+    viscous_pull,
+    viscous_couple,
+    viscous_torque,
+    viscous_lean,
+    drag_force,
+    drag_couple
 };
+// clang-format off
+template <>
+inline constexpr auto row_list<SegmentRow> = std::to_array<RowInfo<SegmentRow>>({
+    {SegmentRow::twist,          "twist",          "1/m", 1, Extent::segments, Keep::derived, "tau at the whole step, stress-free twist included"},
+    {SegmentRow::pull,           "pull",           "N",   3, Extent::segments, Keep::derived, "n: force on the first node, its reaction on the last"},
+    {SegmentRow::couple,         "couple",         "N m", 3, Extent::segments, Keep::derived, "on the first node, its reaction on the last"},
+    {SegmentRow::torque,         "torque",         "N m", 1, Extent::segments, Keep::derived, "about the directors"},
+    {SegmentRow::lean,           "lean",           "N m", 3, Extent::segments, Keep::derived, "h W: force on the directors of both nodes"},
+    {SegmentRow::first_couple,   "first_couple",   "N m", 3, Extent::segments, Keep::derived, "curved: own-shape couple on the first node"},
+    {SegmentRow::last_couple,    "last_couple",    "N m", 3, Extent::segments, Keep::derived, "curved: and on the last"},
+    {SegmentRow::viscous_pull,   "viscous_pull",   "N",   3, Extent::segments, Keep::derived, "Kelvin-Voigt: as pull"},
+    {SegmentRow::viscous_couple, "viscous_couple", "N m", 3, Extent::segments, Keep::derived, "Kelvin-Voigt: as couple"},
+    {SegmentRow::viscous_torque, "viscous_torque", "N m", 1, Extent::segments, Keep::derived, "Kelvin-Voigt: as torque"},
+    {SegmentRow::viscous_lean,   "viscous_lean",   "N m", 3, Extent::segments, Keep::derived, "Kelvin-Voigt: couple of shear on each node"},
+    {SegmentRow::drag_force,     "drag_force",     "N/m", 3, Extent::segments, Keep::derived, "D_in times the rate of stretch and shear"},
+    {SegmentRow::drag_couple,    "drag_couple",    "N",   3, Extent::segments, Keep::derived, "D_in times the rate of bending and twist"},
+});
+// clang-format on
 
 /// Damping of the rod: none, the paper's D_in and D_ex, or these and Kelvin-Voigt.
 enum class Damping { none, paper, kelvin_voigt };
@@ -90,9 +94,10 @@ struct DirectorFeatures {
     bool curved = false;  ///< a stress-free shape that is not straight
 };
 
-/// Everything about the rod that does not change in a run.
+/// Everything about the rod and its surroundings that does not change in a run.
 struct DirectorModel {
     DirectorConstants constants;
+    Surroundings surroundings;
     SceneFeatures scene_features;
     DirectorFeatures features;
     double internal_damping = 0;  ///< D_in
@@ -106,8 +111,13 @@ struct DirectorModel {
 
 /// Stresses of the segments of a span at a whole step. `drift` is the time since the step
 /// before, over which the spins of the state have twisted the segments (s).
-void director_segments(const DirectorModel& model, const BlockTable& state, BlockTable& segments,
-                       BlockSpan span, double drift);
+void director_segments(const DirectorModel& model, const Table<DirectorRow>& rod,
+                       Table<SegmentRow>& segments, BlockSpan span, double drift);
+
+/// Force and couple of the outside on an end of the rod, as a ghost segment beyond it would exert
+/// them: entry -1 before the head, N behind the bit. `director` is that of the end.
+void write_end_load(Table<SegmentRow>& segments, std::ptrdiff_t ghost, const EndLoad& load,
+                    const Eigen::Vector3d& director);
 
 /// What one step of a span of nodes did, besides moving them.
 struct NodeStep {
@@ -119,10 +129,10 @@ struct NodeStep {
 };
 
 /// Moves the nodes of a span: forces act on velocities for `kick` (s), velocities on poses for
-/// `drift` (s). Reads `state`, writes `next`. Segments of this span and the one before its first
-/// must be up to date; friction springs advance with the step.
-NodeStep director_nodes(const DirectorModel& model, const BlockTable& state, BlockTable& next,
-                        const BlockTable& segments, Surroundings& surroundings, BlockSpan span,
-                        double kick, double drift);
+/// `drift` (s). Reads `rod`, writes `next`. Segments of this span and the one before its first must
+/// be up to date; friction springs in `wall` advance with the step.
+NodeStep director_nodes(const DirectorModel& model, const Table<DirectorRow>& rod,
+                        Table<DirectorRow>& next, const Table<SegmentRow>& segments,
+                        Table<WallRow>& wall, BlockSpan span, double kick, double drift);
 
 }  // namespace drillstrand

@@ -7,7 +7,6 @@
 ///     node_pass      pose, weight, surroundings, momentum rates
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -15,18 +14,9 @@
 #include "forces/surroundings.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/pose.hpp"
+#include "state/rows.hpp"
 
 namespace drillstrand {
-
-/// Rows of a state or of its rate: momenta per length in node entries 0..N, stresses in segment
-/// entries 0..N-1, each in the order (d3, d1, d2), angular part first.
-enum StrandRow : std::size_t {
-    angular_momentum = 0,  ///< 3 rows, Pi (kg m/s per m x m)
-    linear_momentum = 3,   ///< 3 rows, p (kg/s)
-    moment = 6,            ///< 3 rows, m (N m)
-    force = 9,             ///< 3 rows, n (N)
-    strand_rows = 12
-};
 
 /// Constants of the rod in the layout of the step loop.
 class StrandConstants {
@@ -63,32 +53,36 @@ class StrandConstants {
     BlockTable table_;
 };
 
-/// What the two passes hand to each other and to the energy account.
-class StrandWorkspace {
-  public:
-    enum Row : std::size_t {
-        wrench_on_first = 0,  // 6 rows, segment: on its first node, S + h/2 ad (per cell length)
-        wrench_on_last = 6,   // 6 rows, segment: on its last node, S - h/2 ad
-        local_rotation = 12,  // 9 rows, node: turn since the first node of the block, row-major
-        local_position = 21,  // 3 rows, node: displacement since then, in that node's frame
-        rows = 24
-    };
+/// What the two passes hand to each other.
+enum class StrandWorkRow { wrench_on_first, wrench_on_last, local_rotation, local_position };
+// clang-format off
+template <>
+inline constexpr auto row_list<StrandWorkRow> = std::to_array<RowInfo<StrandWorkRow>>({
+    {StrandWorkRow::wrench_on_first, "wrench_on_first", "N m, N", 6, Extent::segments, Keep::derived, "segment_pass: on its first node, S + h/2 ad (per cell length)"},
+    {StrandWorkRow::wrench_on_last,  "wrench_on_last",  "N m, N", 6, Extent::segments, Keep::derived, "segment_pass: on its last node, S - h/2 ad"},
+    {StrandWorkRow::local_rotation,  "local_rotation",  "1",      9, Extent::nodes,    Keep::derived, "segment_pass: turn since the first node of the block, row-major"},
+    {StrandWorkRow::local_position,  "local_position",  "m",      3, Extent::nodes,    Keep::derived, "segment_pass: displacement since then, in that node's frame"},
+});
+// clang-format on
 
+/// The same, and what both passes tell the energy account.
+struct StrandWorkspace {
     explicit StrandWorkspace(std::size_t nodes)
-        : table(rows, nodes),
+        : table(nodes),
           block_step(table.blocks()),
           segment_power(table.blocks()),
           power(table.blocks()) {}
 
-    BlockTable table;
+    Table<StrandWorkRow> table;
     std::vector<SegmentPose> block_step;  ///< pose from a block's first node to the next block's
     std::vector<double> segment_power;    ///< per block, of Kelvin-Voigt damping on the rod (W)
     std::vector<double> power;            ///< per block, of all damping and surroundings (W)
 };
 
-/// Everything about the rod that does not change in a run.
+/// Everything about the rod and its surroundings that does not change in a run.
 struct StrandModel {
     StrandConstants constants;
+    Surroundings surroundings;
     SceneFeatures features;
     double internal_damping = 0;  ///< D_in
     double external_damping = 0;  ///< D_ex
@@ -101,7 +95,7 @@ struct StrandModel {
 
 /// Stress rates of the segments of blocks begin..end-1, their wrenches and block-local poses.
 /// Momenta of all nodes must be up to date.
-void segment_pass(const StrandModel& model, const BlockTable& state, BlockTable& rate,
+void segment_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
                   StrandWorkspace& work, std::size_t begin, std::size_t end);
 
 /// Stress that the outside imposes at an end of the rod, in body axes: the wrench of a ghost
@@ -109,26 +103,27 @@ void segment_pass(const StrandModel& model, const BlockTable& state, BlockTable&
 void set_head_wrench(StrandWorkspace& work, const Vector6& stress);
 void set_bit_wrench(StrandWorkspace& work, std::size_t segments, const Vector6& stress);
 
+/// Wrench of the first segment on the head, in body axes.
+Vector6 wrench_on_head(const StrandWorkspace& work);
+
 /// Pose of the first node of each block begin..end-1, and of the node after them, from the head's.
 /// Every caller computes the whole chain up to `end`, in the same order.
 void chain_blocks(const Pose& head, const StrandWorkspace& work, std::vector<Pose>& block_start,
                   std::size_t end);
 
 /// Momentum rates of the nodes of blocks begin..end-1. Wrenches of all segments must be up to
-/// date, block_start of these blocks too. Writes the contact rows of `surroundings`.
-void node_pass(const StrandModel& model, const BlockTable& state, BlockTable& rate,
-               StrandWorkspace& work, const std::vector<Pose>& block_start,
-               Surroundings& surroundings, std::size_t begin, std::size_t end);
+/// date, block_start of these blocks too. Writes the contact rows of `wall`.
+void node_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
+               StrandWorkspace& work, const std::vector<Pose>& block_start, Table<WallRow>& wall,
+               std::size_t begin, std::size_t end);
 
 /// Pose of one node, from the last segment_pass and the pose of its block's first node.
 Pose node_pose(const StrandWorkspace& work, const std::vector<Pose>& block_start, std::size_t node);
 
-/// A = diag(GJ, EI, EI, EA, kGA, kGA), and Ubar = (twist, bending 1, bending 2, 1, 0, 0).
-Vector6 stiffness_of(const SectionProperties& section);
-Vector6 stress_free_strain(const SectionProperties& section);
-
 /// Momentum (per length) or stress of one node or segment, in the order of the table.
-Vector6 momentum_of(const BlockTable& state, std::size_t node);
-Vector6 stress_of(const BlockTable& state, std::size_t segment);
+Vector6 momentum_of(const Table<StrandRow>& state, std::size_t node);
+Vector6 stress_of(const Table<StrandRow>& state, std::size_t segment);
+void set_momentum(Table<StrandRow>& state, std::size_t node, const Vector6& momentum);
+void set_stress(Table<StrandRow>& state, std::size_t segment, const Vector6& stress);
 
 }  // namespace drillstrand

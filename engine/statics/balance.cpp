@@ -8,7 +8,8 @@ namespace drillstrand {
 
 using Eigen::Vector3d;
 
-Balance::Balance(const Scene& scene, const LoadCase& loads) : scene_(scene) {
+Balance::Balance(const Scene& scene, const LoadCase& loads)
+    : scene_(scene), head_(scene), bit_(scene) {
     if (scene.well) {
         const Well& well = *scene.well;
         std::size_t guess = well.arc_at(well.measured_depth_start());
@@ -52,7 +53,7 @@ WallSite Balance::site(const RodState& state, std::size_t node) {
 
 BitLoad Balance::bit(const RodState& state) {
     const std::size_t last = state.twist.size();
-    return bit_load(scene_, loads_.bit, state.end(last), arc(last, state.position[last]));
+    return bit_load(bit_, loads_.bit, state.end(last), arc(last, state.position[last]));
 }
 
 void Balance::hold_friction(const RodState& state) {
@@ -125,10 +126,13 @@ void Balance::stiffness(const RodState& state, BlockTridiagonal& matrix) {
     matrix.diagonal.back() -= bit(state).tangent;
 }
 
-Vector6 Balance::on_head(const RodState& state) const {
-    Vector6 load = segment_forces(segment(state, 0)).on_a;
-    load.head<3>() += loads_.weight * scene_.mesh.cell[0] * scene_.weight[0] * scene_.down;
-    return load;
+double Balance::hook_load(const RodState& state) const {
+    return head_.hook_load(segment_forces(segment(state, 0)).on_a.head<3>(), loads_.bit.time);
+}
+
+double Balance::surface_torque(const RodState& state) const {
+    const Vector3d couple = segment_forces(segment(state, 0)).on_a.tail<3>();
+    return head_.surface_torque(couple.dot(state.director.front()), loads_.bit.time);
 }
 
 std::vector<WallReport> Balance::walls(const RodState& state) {

@@ -7,6 +7,8 @@
 
 #include "drillstrand/equilibrium.hpp"
 #include "drillstrand/scene.hpp"
+#include "rod/bit.hpp"
+#include "rod/head.hpp"
 #include "statics/bit_load.hpp"
 #include "statics/block_tridiagonal.hpp"
 #include "statics/rod_state.hpp"
@@ -55,8 +57,9 @@ class Balance {
     void stiffness(const RodState& state, BlockTridiagonal& matrix);
 
     [[nodiscard]] BitLoad bit(const RodState& state);
-    /// Force (N) and couple (N m) of the first segment and of the head's own weight on the head.
-    [[nodiscard]] Vector6 on_head(const RodState& state) const;
+    /// What holds and turns the head (Head::hook_load, Head::surface_torque).
+    [[nodiscard]] double hook_load(const RodState& state) const;
+    [[nodiscard]] double surface_torque(const RodState& state) const;
     [[nodiscard]] std::vector<WallReport> walls(const RodState& state);
 
   private:
@@ -65,6 +68,8 @@ class Balance {
     [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
 
     const Scene& scene_;
+    Head head_;
+    Bit bit_;
     LoadCase loads_;
     std::vector<FrictionShares> friction_;  ///< per node
     std::vector<Vector6> held_friction_;    ///< per node (N, N m); empty: as the state has it

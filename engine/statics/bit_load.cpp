@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "forces/bit.hpp"
 #include "statics/skew.hpp"
 #include "statics/well_section.hpp"
 
@@ -11,42 +10,37 @@ namespace drillstrand {
 
 using Eigen::Vector3d;
 
-BitLoad bit_load(const Scene& scene, const BitLoadCase& loads, const SegmentEnd& bit,
+BitLoad bit_load(const Bit& bit, const BitLoadCase& loads, const SegmentEnd& node,
                  const WellArc* arc) {
-    BitMotion motion;
-    const Vector3d& t = bit.director;
-    motion.frame << t, bit.material, t.cross(bit.material);
+    const Vector3d& t = node.director;
     std::optional<WellSection> well;
-    if (arc != nullptr) well = well_section(bit.position, *arc);
-    motion.well_direction = well ? well->l : t;
-    motion.rotation_rate = loads.rotation_rate;
-    motion.radius = scene.mesh.node.back().outer_radius;
-    const Vector6 stress = bit_stress(scene.bit, motion, loads.time);
+    if (arc != nullptr) well = well_section(node.position, *arc);
+    BitMotion motion{{}, well ? well->l : t, loads.rotation_rate};
+    motion.frame << t, node.material, t.cross(node.material);
+    const EndLoad full = bit.load(motion, loads.time);
 
     BitLoad result;
-    result.dead_force = loads.factor * scene.bit.force(loads.time);
-    result.load << loads.factor * (motion.frame * stress.tail<3>()),
-        loads.factor * (motion.frame * stress.head<3>());
-    const double weight = loads.factor * scene.bit.weight(loads.time);
-    if (scene.bit.direction == BitDirection::follower || !well)
+    result.dead_force = loads.factor * bit.loads().force(loads.time);
+    result.load << loads.factor * full.force, loads.factor * full.couple;
+    const double weight = loads.factor * bit.loads().weight(loads.time);
+    if (bit.loads().direction == BitDirection::follower || !well)
         result.tangent.topRightCorner<3, 3>() = weight * skew(t);
     else
         result.tangent.topLeftCorner<3, 3>() = -weight * well->l_by_position();
     // couples but the dead one turn with the section
     const Vector3d turning =
-        result.load.tail<3>() - loads.factor * scene.bit.dead_moment(loads.time);
+        result.load.tail<3>() - loads.factor * bit.loads().dead_moment(loads.time);
     result.tangent.bottomRightCorner<3, 3>() = -skew(turning);
     return result;
 }
 
-bool bit_is_conservative(const Scene& scene, const BitLoadCase& loads) {
+bool bit_is_conservative(const Bit& bit, const BitLoadCase& loads) {
     if (loads.factor == 0) return true;
-    const BitCase& bit = scene.bit;
-    const bool follows = bit.direction == BitDirection::follower && bit.weight(loads.time) != 0;
-    const bool torque = loads.rotation_rate != 0 &&
-                        bit_torque(bit, scene.mesh.node.back().outer_radius, loads.time) != 0;
-    return !follows && !torque && bit.moment(loads.time).isZero(0) &&
-           bit.dead_moment(loads.time).isZero(0);
+    const BitCase& given = bit.loads();
+    const bool follows = given.direction == BitDirection::follower && given.weight(loads.time) != 0;
+    const bool torque = loads.rotation_rate != 0 && bit.full_torque(loads.time) != 0;
+    return !follows && !torque && given.moment(loads.time).isZero(0) &&
+           given.dead_moment(loads.time).isZero(0);
 }
 
 }  // namespace drillstrand

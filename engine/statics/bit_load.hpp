@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "drillstrand/scene.hpp"
+#include "drillstrand/well.hpp"
+#include "rod/bit.hpp"
 #include "statics/rod_segment.hpp"
 
 namespace drillstrand {
@@ -22,10 +23,10 @@ struct BitLoad {
 };
 
 /// `arc`: the arc of well that the bit is in; null without a well.
-BitLoad bit_load(const Scene& scene, const BitLoadCase& loads, const SegmentEnd& bit,
+BitLoad bit_load(const Bit& bit, const BitLoadCase& loads, const SegmentEnd& node,
                  const WellArc* arc);
 
 /// Whether all loads of the bit have a potential: dead forces only.
-bool bit_is_conservative(const Scene& scene, const BitLoadCase& loads);
+bool bit_is_conservative(const Bit& bit, const BitLoadCase& loads);
 
 }  // namespace drillstrand

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "drillstrand/simulation.hpp"
+#include "rod/director_report.hpp"
 #include "statics/search.hpp"
 
 namespace drillstrand {
@@ -15,9 +15,10 @@ void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) 
     Scene at_rest = scene;
     at_rest.initial_nodes = result.nodes;
     at_rest.head.rotation = {};
-    const auto rod = make_integrator(at_rest, {.kind = IntegratorKind::leapfrog});
-    result.series = rod->series();
-    result.profile = rod->profile();
+    const DirectorString string(at_rest);
+    const DirectorState state = initial_state(string);
+    result.series = series_record(string, state);
+    result.profile = profile_record(string, state);
     const std::vector<WallReport> walls = search.balance().walls(search.state());
     for (std::size_t k = 0; k < walls.size(); ++k) {
         result.profile.contact_force[k] = walls[k].force;
@@ -76,10 +77,8 @@ Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& optio
     Equilibrium result;
     result.nodes = search.state().nodes();
     report(scene, search, result);
-    const Eigen::Vector3d d3 = scene.head_frame.col(0);
-    const Vector6 on_head = search.balance().on_head(search.state());
-    result.hook_load = on_head.head<3>().dot(d3);
-    result.surface_torque = -on_head.tail<3>().dot(d3);
+    result.hook_load = search.balance().hook_load(search.state());
+    result.surface_torque = search.balance().surface_torque(search.state());
     const Vector6 on_bit = search.balance().bit(search.state()).load;
     result.bit_force = on_bit.head<3>();
     result.bit_couple = on_bit.tail<3>();

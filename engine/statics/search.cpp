@@ -28,7 +28,7 @@ EquilibriumSearch::EquilibriumSearch(const Scene& scene, const EquilibriumOption
     : scene_(scene),
       options_(options),
       full_(full_loads(options)),
-      conservative_(bit_is_conservative(scene, full_.bit)),
+      conservative_(bit_is_conservative(Bit(scene), full_.bit)),
       balance_(scene, full_),
       newton_(scene, balance_, options.max_iterations),
       state_(options.start.value_or(scene.initial_nodes), scene.head_frame.col(1),

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces/bit.hpp"
+#include "rod/bit.hpp"
 
 namespace drillstrand {
 
@@ -41,9 +41,8 @@ StringMotion string_motion(TorqueDragMotion motion) {
 SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOptions& options) {
     if (!options.bit_loads) return {};
     const Eigen::Vector3d direction = scene.well->at(bit_depth).direction;
-    const BitMotion motion{frame_along(direction), direction, options.motion.rotation_rate,
-                           scene.mesh.node.back().outer_radius};
-    const Vector6 stress = bit_stress(scene.bit, motion, options.load_time);
+    const BitMotion motion{frame_along(direction), direction, options.motion.rotation_rate};
+    const Vector6 stress = Bit(scene).stress(motion, options.load_time);
     return {stress[3], -stress[0]};
 }
 

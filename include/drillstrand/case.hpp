@@ -199,4 +199,11 @@ struct Case {
 Case read_case(const std::filesystem::path& path,
                const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
+/// The key of the first setting in which two cases differ, as their texts (Case::text) have it;
+/// none where they ask for the same run. Settings that change no result (threads, checkpoints) do
+/// not count, nor does what is in files that the cases name. Throws InputError where a text is not
+/// TOML.
+std::optional<std::string> first_difference(const std::string& case_text,
+                                            const std::string& other_text);
+
 }  // namespace drillstrand

@@ -58,10 +58,9 @@ struct Scene {
     InitialNodes initial_nodes;
 };
 
-/// Builds the scene of a case. Throws InputError where string, well and mesh do not go together,
-/// SimulationError where it should start from an equilibrium and there is none. The equilibrium is
-/// that of the leapfrog's rod at rest, without friction, under the loads of time 0: it replaces the
-/// initial nodes, not the initial strains.
+/// Builds the scene of a case. Throws InputError where string, well and mesh do not go together.
+/// The string lies in the well's axis or in its own shape: starting_scene() (simulation.hpp) also
+/// finds the equilibrium that a case may ask for.
 Scene build_scene(const Case& input);
 
 /// Frame (d3, d1, d2 in the columns) with the given d3: d1 is east made normal to d3, or north

@@ -9,9 +9,16 @@
 
 #include "drillstrand/case.hpp"
 #include "drillstrand/records.hpp"
+#include "drillstrand/saved_state.hpp"
 #include "drillstrand/scene.hpp"
 
 namespace drillstrand {
+
+/// The scene from which a run of a case starts: build_scene(), in the equilibrium of the director
+/// rod under the loads of time 0, at rest and without friction, where the case asks for it (its
+/// initial nodes alone: initial strains stay). Throws as build_scene(), and SimulationError where
+/// there is no equilibrium.
+Scene starting_scene(const Case& input);
 
 /// A time loop over one scene. Create one with make_integrator().
 class Integrator {
@@ -32,6 +39,13 @@ class Integrator {
     [[nodiscard]] virtual int threads() const { return 1; }
     /// What a user should know of the run so far, a sentence each.
     [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+
+    /// All that a run needs to go on from here, between two calls of advance().
+    [[nodiscard]] virtual SavedState save() const = 0;
+    /// Takes up a saved run of the same scene and options: what follows is the same, bit for bit,
+    /// as if it had never been left, whatever the number of threads. Throws std::invalid_argument
+    /// where the rows are not those of this scene and integrator; the integrator then is as before.
+    virtual void restore(const SavedState& saved) = 0;
 };
 
 struct IntegratorOptions {

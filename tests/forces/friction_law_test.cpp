@@ -14,8 +14,9 @@ constexpr double normal = 250;     // N/m
 constexpr double touching = 1e-3;  // m of penetration
 constexpr double inside = -1e-3;   // m of open hole
 
-FrictionParameters material(Tangential fixed, Tangential slide, double cone = 1) {
-    return friction_parameters(stiffness, fixed, slide, cone > 0);
+FrictionParameters material(Tangential fixed, Tangential slide,
+                            FrictionLaw law = FrictionLaw::coulomb) {
+    return friction_parameters(stiffness, fixed, slide, law);
 }
 const FrictionParameters steel = material({0.6, 0.6}, {0.42, 0.42});
 
@@ -148,7 +149,7 @@ TEST(Coulomb, SlipOfASpinningPipeIsThatOfItsSurface) {
 
 /// Mean force of one of the paper's springs over many teeth of its saw.
 Tangential mean_paper_force(Tangential direction) {
-    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, FrictionLaw::paper);
     constexpr int steps = 200000;
     const double step = 0.18 * normal / stiffness / 500;  // 500 steps to a tooth
     FrictionSpring spring{};
@@ -175,7 +176,7 @@ TEST(PaperLaw, SpringsAreIndependentSoThatDiagonalSlidingMeetsMoreThanTheConeAll
 }
 
 TEST(PaperLaw, SpringBeyondTheStaticLimitIsShortenedToTheDynamicOne) {
-    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, FrictionLaw::paper);
     const double limit = 0.6 * normal / stiffness;
     const FrictionSpring below = paper_spring({}, {0.999 * limit, 0}, normal, touching, p);
     EXPECT_DOUBLE_EQ(below.elongation.axial, 0.999 * limit);
@@ -184,7 +185,7 @@ TEST(PaperLaw, SpringBeyondTheStaticLimitIsShortenedToTheDynamicOne) {
 }
 
 TEST(PaperLaw, SpringsAreForgottenInTheOpenHole) {
-    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, 0);
+    const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, FrictionLaw::paper);
     const FrictionSpring spring = paper_spring({{1e-4, -1e-4}, 0}, {0, 0}, 0, inside, p);
     EXPECT_EQ(size(spring.elongation), 0);
 }

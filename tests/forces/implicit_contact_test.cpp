@@ -156,7 +156,8 @@ Slide random_slide(Dice& dice, double ratio) {
     Slide s;
     const double mu_l = dice.decades(0.01, 1.5);
     const double mu_t = mu_l * dice.decades(0.2, 5);
-    s.friction = friction_parameters(dice.decades(1, 1e12), {mu_l, mu_t}, {mu_l, mu_t}, true);
+    s.friction = friction_parameters(dice.decades(1, 1e12), {mu_l, mu_t}, {mu_l, mu_t},
+                                     FrictionLaw::coulomb);
     const double given = dice.decades(1e-12, 1e-3);  // dt^2 / m
     s.a = {given + s.friction.compliance, ratio * given + s.friction.compliance};
     s.normal = dice.decades(1e-6, 1e6);
@@ -209,11 +210,11 @@ TEST(ReturnToCone, WithFrictionInOneDirectionLoadsThatDirectionToItsLimit) {
     for (int trial = 0; trial < 1000; ++trial) {
         Slide s = random_slide(dice, dice.decades(1e-6, 1e6));
         const double mu = dice.decades(0.01, 1.5);
-        s.friction = friction_parameters(1e6, {mu, 0}, {mu, 0}, true);
+        s.friction = friction_parameters(1e6, {mu, 0}, {mu, 0}, FrictionLaw::coulomb);
         const Tangential along = return_to_cone(s.b, s.a, s.friction, s.normal);
         EXPECT_NEAR(along.axial, std::copysign(mu * s.normal, s.b.axial), 1e-13 * mu * s.normal);
         EXPECT_EQ(along.azimuthal, 0);
-        s.friction = friction_parameters(1e6, {0, mu}, {0, mu}, true);
+        s.friction = friction_parameters(1e6, {0, mu}, {0, mu}, FrictionLaw::coulomb);
         const Tangential around = return_to_cone(s.b, s.a, s.friction, s.normal);
         EXPECT_EQ(around.axial, 0);
         EXPECT_NEAR(around.azimuthal, std::copysign(mu * s.normal, s.b.azimuthal),
@@ -252,8 +253,9 @@ Touch random_touch(Dice& dice) {
                       touch.dt / (mass * touch.radius * touch.radius * dice.between(0.5, 1))};
     const Tangential slide = {dice.decades(0.05, 1), dice.decades(0.05, 1)};
     const double more = dice.between(1, 2);
-    touch.friction = friction_parameters(dice.decades(1, 1e12),
-                                         {more * slide.axial, more * slide.azimuthal}, slide, true);
+    touch.friction =
+        friction_parameters(dice.decades(1, 1e12), {more * slide.axial, more * slide.azimuthal},
+                            slide, FrictionLaw::coulomb);
     touch.normal = dice.decades(1e-3, 1e5);
     const double stretch = touch.normal * touch.friction.compliance;
     touch.spring = {{stretch * slide.axial * dice.between(-0.7, 0.7),
@@ -338,10 +340,10 @@ TEST(CoulombStep, LeavesADirectionWithoutFrictionFree) {
     Dice dice(13);
     for (int trial = 0; trial < 1000; ++trial) {
         Touch t = random_touch(dice);
-        t.friction = friction_parameters(1e6, {0.6, 0}, {0.4, 0}, true);
+        t.friction = friction_parameters(1e6, {0.6, 0}, {0.4, 0}, FrictionLaw::coulomb);
         EXPECT_EQ(step_of(t).force.azimuthal, 0);
         EXPECT_NE(step_of(t).force.axial, 0);
-        t.friction = friction_parameters(1e6, {0, 0.6}, {0, 0.4}, true);
+        t.friction = friction_parameters(1e6, {0, 0.6}, {0, 0.4}, FrictionLaw::coulomb);
         EXPECT_EQ(step_of(t).force.axial, 0);
         EXPECT_NE(step_of(t).force.azimuthal, 0);
     }

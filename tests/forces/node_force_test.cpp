@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drillstrand/scene.hpp"
+#include "rod/report.hpp"
 #include "rod/strand.hpp"
 
 namespace drillstrand {
@@ -264,27 +265,22 @@ std::vector<Vector6> kernel_rates(const Scene& scene, const State& state) {
     const std::size_t nodes = state.momentum.size();
     const StrandModel model(scene);
     StrandWorkspace work(nodes);
-    BlockTable table(strand_rows, nodes);
-    BlockTable rate(strand_rows, nodes);
+    Table<StrandRow> table(nodes);
+    Table<StrandRow> rate(nodes);
     for (std::size_t k = 0; k < nodes; ++k) {
-        for (std::size_t i = 0; i < 6; ++i) {
-            const auto j = static_cast<Eigen::Index>(i);
-            table.row(angular_momentum + i)[k] = state.momentum[k][j];
-            if (k + 1 == nodes) continue;
-            const SectionProperties& s = scene.mesh.segment[k];
-            table.row(moment + i)[k] =
-                stiffness_of(s)[j] * (state.strain[k] - stress_free_strain(s))[j];
-        }
+        set_momentum(table, k, state.momentum[k]);
+        if (k + 1 == nodes) continue;
+        const SectionProperties& s = scene.mesh.segment[k];
+        set_stress(table, k, stiffness_of(s).cwiseProduct(state.strain[k] - stress_free_strain(s)));
     }
     std::vector<Vector3d> position;
     for (const Pose& pose : poses_of(scene, state))
         position.push_back(pose.position);
-    Surroundings surroundings(scene, position);
+    Table<WallRow> wall = model.surroundings.wall_at(position);
     for (std::size_t k = 0; k < nodes; ++k) {
-        surroundings.row(Surroundings::elongation_axial)[k] = state.spring[k].elongation.axial;
-        surroundings.row(Surroundings::elongation_azimuthal)[k] =
-            state.spring[k].elongation.azimuthal;
-        surroundings.row(Surroundings::sliding)[k] = state.spring[k].sliding;
+        wall.row(WallRow::elongation_axial)[k] = state.spring[k].elongation.axial;
+        wall.row(WallRow::elongation_azimuthal)[k] = state.spring[k].elongation.azimuthal;
+        wall.row(WallRow::sliding)[k] = state.spring[k].sliding;
     }
     const std::size_t blocks = table.blocks();
     std::vector<Pose> block_start(blocks);
@@ -292,7 +288,7 @@ std::vector<Vector6> kernel_rates(const Scene& scene, const State& state) {
     chain_blocks(state.head, work, block_start, blocks);
     set_head_wrench(work, Vector6::Zero());
     set_bit_wrench(work, nodes - 1, Vector6::Zero());
-    node_pass(model, table, rate, work, block_start, surroundings, 0, blocks);
+    node_pass(model, table, rate, work, block_start, wall, 0, blocks);
     std::vector<Vector6> rates;
     for (std::size_t k = 0; k < nodes; ++k)
         rates.push_back(momentum_of(rate, k));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rod/plain_strand.hpp"
+#include "rod/report.hpp"
 #include "rod/strand.hpp"
 #include "support/run_case.hpp"
 
@@ -80,15 +81,12 @@ PlainState random_state(const Scene& scene, std::mt19937& random) {
     return state;
 }
 
-BlockTable table_of(const PlainState& state) {
-    BlockTable table(strand_rows, state.momentum.size());
-    for (std::size_t i = 0; i < 6; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        for (std::size_t k = 0; k < state.momentum.size(); ++k)
-            table.row(angular_momentum + i)[k] = state.momentum[k][row];
-        for (std::size_t k = 0; k < state.stress.size(); ++k)
-            table.row(moment + i)[k] = state.stress[k][row];
-    }
+Table<StrandRow> table_of(const PlainState& state) {
+    Table<StrandRow> table(state.momentum.size());
+    for (std::size_t k = 0; k < state.momentum.size(); ++k)
+        set_momentum(table, k, state.momentum[k]);
+    for (std::size_t k = 0; k < state.stress.size(); ++k)
+        set_stress(table, k, state.stress[k]);
     return table;
 }
 
@@ -104,10 +102,10 @@ KernelResult kernel_rates(const Scene& scene, const Pose& head, const PlainState
     const std::size_t nodes = state.momentum.size();
     const std::size_t blocks = blocks_for(nodes);
     const StrandModel model(scene);
-    const BlockTable table = table_of(state);
-    BlockTable rate(strand_rows, nodes);
+    const Table<StrandRow> table = table_of(state);
+    Table<StrandRow> rate(nodes);
     StrandWorkspace work(nodes);
-    Surroundings nothing_around(scene, {});
+    Table<WallRow> nothing_around;
     std::vector<Pose> block_start(blocks);
     segment_pass(model, table, rate, work, 0, blocks);
     set_head_wrench(work, ends.head);

@@ -32,6 +32,8 @@ class Clock final : public Integrator {
         profile.time = time_;
         return profile;
     }
+    [[nodiscard]] SavedState save() const override { return {}; }
+    void restore(const SavedState&) override {}
     [[nodiscard]] StepStatistics statistics() const override { return statistics_; }
 
   private:

@@ -311,7 +311,7 @@ TEST(EquilibriumStart, ShippedWellsStayAtRestForTenSecondsWithoutDrive) {
     for (const char* name : {"well1", "well2", "well3"}) {
         Case input = read_case(fmt::format("{}/cases/{}.toml", DRILLSTRAND_SOURCE_DIR, name),
                                {{"initial.state", "equilibrium"}, {"head.rotation", "0"}});
-        const Scene scene = build_scene(input);
+        const Scene scene = starting_scene(input);
         IntegratorOptions options = integrator_options(input.run);
         options.threads = 1;
         const auto leapfrog = make_integrator(scene, options);

@@ -64,7 +64,7 @@ Run run(const Scene& scene, const RunCase& settings, const OutputCase& output) {
 }
 
 Run run(const Case& input) {
-    return run(build_scene(input), input.run, input.output);
+    return run(starting_scene(input), input.run, input.output);
 }
 
 Run run(const std::string& toml) {

@@ -9,6 +9,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
+#include "drillstrand/simulation.hpp"
 #include "drillstrand/well.hpp"
 #include "step_estimate.hpp"
 #include "wording.hpp"
@@ -298,7 +299,7 @@ void warn_of_paper_friction(const Scene& scene) {
 
 int check(const CheckOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
-    const Scene scene = build_scene(input);
+    const Scene scene = starting_scene(input);
     fmt::print("{}: {}\n", options.case_path.string(), input.title);
     print_string(input, scene);
     print_well(input, scene);

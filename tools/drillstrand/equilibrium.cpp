@@ -115,14 +115,11 @@ void write(const fs::path& output, const Case& input, const Scene& scene, const 
 
 int equilibrium(const EquilibriumCommand& command) {
     const fs::path output = checked_output(command.output, command.case_path);
-    Case input = read_case(command.case_path, command.overrides);
+    const Case input = read_case(command.case_path, command.overrides);
     if (input.head.motion == HeadMotion::free)
         throw InputError({input.path.string()},
                          "head.motion = \"free\": nothing holds the string; an equilibrium needs a "
                          "held head, motion = \"driven\"");
-    // this is the search that would make the initial state
-    if (input.initial.state == InitialState::equilibrium)
-        input.initial.state = InitialState::coaxial;
     const Scene scene = build_scene(input);
     const EquilibriumOptions options = equilibrium_options(input);
 

@@ -134,7 +134,7 @@ int run(const RunOptions& options) {
     const fs::path output = choose_output(options);
     Case input = read_case(options.case_path, options.overrides);
     if (options.threads >= 0) input.run.threads = options.threads;
-    const Scene scene = build_scene(input);
+    const Scene scene = starting_scene(input);
     const auto integrator = make_integrator(scene, integrator_options(input.run));
 
     // as asked, or as chosen

@@ -1,5 +1,5 @@
 // The load at the bit: weight, torque and dead loads, as stress in the axes of the last section.
-#include "forces/bit.hpp"
+#include "rod/bit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,7 @@ BitMotion tilted_bit(double tilt, double rotation_rate) {
     frame << Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY();
     motion.frame = Eigen::AngleAxisd(tilt, Vector3d::UnitX()) * frame;
     motion.well_direction = Vector3d::UnitZ();
-    motion.rotation_rate = rotation_rate;
-    motion.radius = 0.12225;
+    motion.opposed_rate = rotation_rate;
     return motion;
 }
 
@@ -33,34 +32,35 @@ TEST(Bit, FrictionOf16GivesTenKilonewtonMetresAtSixtyFiveKilonewtons) {
     BitCase bit;
     bit.friction = 1.6023;  // the paper rounds to 1.6 (section 2.2.3); R = 0.12225 m
     bit.weight = 65e3;
-    EXPECT_NEAR(bit_torque(bit, 0.12225, 0.0), 10e3, 1.0);
-    EXPECT_DOUBLE_EQ(bit_torque(bit, 0.12225, 0.0), 1.6023 * std::numbers::pi * 0.12225 / 4 * 65e3);
+    EXPECT_NEAR(Bit(bit, 0.12225).full_torque(0.0), 10e3, 1.0);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).full_torque(0.0),
+                     1.6023 * std::numbers::pi * 0.12225 / 4 * 65e3);
 }
 
 TEST(Bit, TorqueFollowsItsSchedule) {
     BitCase bit;
     bit.torque = ScalarSchedule({45, 50}, {0, 10e3});
-    EXPECT_DOUBLE_EQ(bit_torque(bit, 0.1, 45), 0);
-    EXPECT_DOUBLE_EQ(bit_torque(bit, 0.1, 47.5), 5e3);
-    EXPECT_DOUBLE_EQ(bit_torque(bit, 0.1, 60), 10e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.1).full_torque(45), 0);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.1).full_torque(47.5), 5e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.1).full_torque(60), 10e3);
 }
 
 TEST(Bit, TorqueOpposesRotationInBothSensesAndVanishesAtRest) {
     BitCase bit;
     bit.torque = 10e3;
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, 3), 0)[0], -10e3);
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, -3), 0)[0], 10e3);
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, 0), 0)[0], 0);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, 3), 0)[0], -10e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, -3), 0)[0], 10e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, 0), 0)[0], 0);
 }
 
 TEST(Bit, TorqueFallsLinearlyToZeroBelowTheSmoothingSpeed) {
     BitCase bit;
     bit.torque = 10e3;
     bit.smoothing_speed = 0.1;
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, 0.025), 0)[0], -2.5e3);
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, -0.05), 0)[0], 5e3);
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, 0.1), 0)[0], -10e3);
-    EXPECT_DOUBLE_EQ(bit_stress(bit, tilted_bit(0, 5), 0)[0], -10e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, 0.025), 0)[0], -2.5e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, -0.05), 0)[0], 5e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, 0.1), 0)[0], -10e3);
+    EXPECT_DOUBLE_EQ(Bit(bit, 0.12225).stress(tilted_bit(0, 5), 0)[0], -10e3);
 }
 
 TEST(Bit, WeightAlongTheWellPushesAgainstTheWellWhateverTheTilt) {
@@ -69,7 +69,7 @@ TEST(Bit, WeightAlongTheWellPushesAgainstTheWellWhateverTheTilt) {
     bit.direction = BitDirection::well;
     for (const double tilt : {0.0, 0.3, -1.2}) {
         const BitMotion motion = tilted_bit(tilt, 1);
-        const Vector3d force = force_in_space(motion, bit_stress(bit, motion, 0));
+        const Vector3d force = force_in_space(motion, Bit(bit, 0.12225).stress(motion, 0));
         EXPECT_LT((force - Vector3d(0, 0, -65e3)).norm(), 1e-9);
     }
 }
@@ -79,7 +79,7 @@ TEST(Bit, FollowerWeightPushesAlongThePipe) {
     bit.weight = 65e3;
     bit.direction = BitDirection::follower;
     for (const double tilt : {0.0, 0.3, -1.2}) {
-        const Vector6 stress = bit_stress(bit, tilted_bit(tilt, 1), 0);
+        const Vector6 stress = Bit(bit, 0.12225).stress(tilted_bit(tilt, 1), 0);
         EXPECT_DOUBLE_EQ(stress[3], -65e3);
         EXPECT_DOUBLE_EQ(stress[4], 0);
         EXPECT_DOUBLE_EQ(stress[5], 0);
@@ -92,7 +92,7 @@ TEST(Bit, DeadLoadsKeepTheirDirectionInSpace) {
     bit.dead_moment = Vector3d(40, 50, -60);
     for (const double tilt : {0.0, 0.7}) {
         const BitMotion motion = tilted_bit(tilt, 0);
-        const Vector6 stress = bit_stress(bit, motion, 0);
+        const Vector6 stress = Bit(bit, 0.12225).stress(motion, 0);
         EXPECT_LT((force_in_space(motion, stress) - Vector3d(1e3, -2e3, 3e3)).norm(), 1e-9);
         EXPECT_LT((motion.frame * stress.head<3>() - Vector3d(40, 50, -60)).norm(), 1e-9);
     }
@@ -102,8 +102,9 @@ TEST(Bit, FollowerCoupleTurnsWithTheSection) {
     BitCase bit;
     bit.moment = Vector3d(1, 2, 3);
     for (const double tilt : {0.0, 0.7}) {
-        EXPECT_LT((bit_stress(bit, tilted_bit(tilt, 0), 0).head<3>() - Vector3d(1, 2, 3)).norm(),
-                  1e-12);
+        EXPECT_LT(
+            (Bit(bit, 0.12225).stress(tilted_bit(tilt, 0), 0).head<3>() - Vector3d(1, 2, 3)).norm(),
+            1e-12);
     }
 }
 

@@ -1,0 +1,66 @@
+/// The bit: weight, torque and the dead and follower loads of a case, on the rod and as work. Its
+/// own constants and its state (BitState, state/rows.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+
+#include "drillstrand/case.hpp"
+#include "drillstrand/records.hpp"
+#include "drillstrand/scene.hpp"
+#include "rod/director.hpp"
+#include "rod/end.hpp"
+#include "state/rows.hpp"
+
+namespace drillstrand {
+
+/// What the load at the bit depends on.
+struct BitMotion {
+    Eigen::Matrix3d frame;           ///< d3, d1, d2 in the columns
+    Eigen::Vector3d well_direction;  ///< down the well at the bit; d3 where there is none
+    double opposed_rate;             ///< whose sense the torque opposes (Head::opposed_rate, rad/s)
+};
+
+class Bit {
+  public:
+    explicit Bit(const Scene& scene);
+    /// A bit of that radius (m) on the node of that number.
+    Bit(BitCase loads, double radius, std::size_t node = 0)
+        : node_(node), radius_(radius), loads_(std::move(loads)) {}
+
+    [[nodiscard]] const BitCase& loads() const { return loads_; }
+
+    /// Torque that opposes rotation at a steady rate of full speed (N m): the schedule's, or
+    /// mu_b (pi R / 4) times the weight (paper eq. 15).
+    [[nodiscard]] double full_torque(double time) const;
+    /// The same at a rate, with its sense (N m): positive where it opposes a positive rate.
+    [[nodiscard]] double torque(double opposed_rate, double time) const;
+
+    /// Stress that the outside imposes at the bit, in body axes (paper eqs. 13-14).
+    [[nodiscard]] Vector6 stress(const BitMotion& motion, double time) const;
+    /// The same in the space frame, as a load.
+    [[nodiscard]] EndLoad load(const BitMotion& motion, double time) const;
+
+    // ---- on directors
+
+    [[nodiscard]] BitState start(const Eigen::Vector3d& d1) const {
+        BitState bit;
+        bit.d1 = d1;
+        return bit;
+    }
+    /// The load as a ghost segment behind the last. `well_direction` as in BitMotion.
+    void load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
+              const Eigen::Vector3d& well_direction, double opposed_rate, double time) const;
+    /// The end of a step: the work at the bit, its frame, and the padding node beyond it, which
+    /// goes along so that the ghost segment stays without strain.
+    void finish(BitState& bit, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
+                Table<DirectorRow>& next, const DirectorStep& step) const;
+
+  private:
+    std::size_t node_;
+    double radius_;  ///< m
+    BitCase loads_;
+};
+
+}  // namespace drillstrand

@@ -1,0 +1,43 @@
+/// What a run on the director rod reports: functions of its constants and its state.
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "drillstrand/records.hpp"
+#include "rod/director_state.hpp"
+
+namespace drillstrand {
+
+/// Everything at the whole step that is reached: velocities after half a kick, and what the
+/// segments and ends exert there.
+struct DirectorSnapshot {
+    Table<DirectorRow> rod;
+    Table<SegmentRow> segments;
+    Table<WallRow> wall;
+    std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
+    std::vector<Vector6> stress;         ///< N
+    double impacts = 0;                  ///< in the step that begins here
+    double slips = 0;
+};
+DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& state);
+
+SeriesRecord series_record(const DirectorString& string, const DirectorState& state);
+Profile profile_record(const DirectorString& string, const DirectorState& state);
+
+/// Frames of the nodes: from the head's d1 by the shortest turn from director to director, and by
+/// the twist of the segment.
+std::vector<Eigen::Matrix3d> material_frames(const DirectorString& string,
+                                             const Table<DirectorRow>& rod, const double* twist,
+                                             const Eigen::Vector3d& head_d1);
+
+/// A sentence on the first node of these rods whose numbers have left the finite.
+std::string describe_divergence(const DirectorString& string,
+                                std::initializer_list<const Table<DirectorRow>*> rods, double time);
+
+/// The energies from which records of a run that begins with this state count.
+EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& state);
+
+}  // namespace drillstrand

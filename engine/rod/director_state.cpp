@@ -1,0 +1,84 @@
+#include "rod/director_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "rod/director_report.hpp"
+
+namespace drillstrand {
+
+DirectorString::DirectorString(const Scene& scene_of_run)
+    : scene(scene_of_run),
+      model(scene),
+      head(scene),
+      bit(scene),
+      spans(equal_spans(blocks_for(model.segments + 1))) {}
+
+DirectorState initial_state(const DirectorString& string) {
+    const Scene& scene = string.scene;
+    const InitialNodes& initial = scene.initial_nodes;
+    const std::size_t nodes = string.model.segments + 1;
+    DirectorState state;
+    state.rod = Table<DirectorRow>(nodes);
+    // padding: directors of unit length
+    state.rod.fill(DirectorRow::director, Eigen::Vector3d::UnitX());
+    state.rod.fill(DirectorRow::last_director, Eigen::Vector3d::UnitX());
+    state.wall = string.model.surroundings.wall_at(initial.position);
+    state.accounts = Accounts(string.spans.size());
+    state.statistics.smallest_step = std::numeric_limits<double>::infinity();
+
+    for (std::size_t k = 0; k < nodes; ++k) {
+        const auto entry = static_cast<std::ptrdiff_t>(k);
+        state.rod.set(DirectorRow::position, entry, initial.position[k]);
+        state.rod.set(DirectorRow::director, entry, initial.director[k]);
+        state.rod.set(DirectorRow::last_director, entry, initial.director[k]);
+    }
+    std::copy(initial.twist.begin(), initial.twist.end(), state.rod.row(DirectorRow::last_twist));
+    state.head = string.head.start();
+    string.head.settle(state.rod, 0);
+
+    const std::vector<Eigen::Matrix3d> frame = material_frames(
+        string, state.rod, state.rod.row(DirectorRow::last_twist), string.head.d1(state.head, 0));
+    for (std::size_t k = 0; k < nodes; ++k)
+        state.rod.set(DirectorRow::material, static_cast<std::ptrdiff_t>(k), frame[k].col(1));
+    state.bit = string.bit.start(frame.back().col(1));
+    string.bit.finish(state.bit, Table<SegmentRow>(nodes), state.rod, state.rod, {});
+
+    state.origin = energy_origin(string, state);
+    return state;
+}
+
+void load_bit(const DirectorString& string, const DirectorState& state,
+              const Table<DirectorRow>& rod, double time, Table<SegmentRow>& segments) {
+    const std::size_t node = string.model.segments;
+    const Eigen::Vector3d down_well = string.model.surroundings.direction(
+        state.wall, node, rod.vector(DirectorRow::position, node),
+        rod.vector(DirectorRow::director, node));
+    string.bit.load(state.bit, segments, rod, down_well,
+                    string.head.opposed_rate(time, rod.row(DirectorRow::spin)[node]), time);
+}
+
+void start_again(const DirectorString& string, DirectorState& state) {
+    DirectorSnapshot at = snapshot(string, state);
+    string.bit.finish(state.bit, at.segments, state.rod, at.rod, {});
+    state.rod = std::move(at.rod);
+    std::copy_n(at.segments.row(SegmentRow::twist), string.model.segments,
+                state.rod.row(DirectorRow::last_twist));
+    state.wall = std::move(at.wall);
+    state.clock.last_step = 0;
+    state.course = {};
+}
+
+void derive(const DirectorString& string, DirectorState& state) {
+    const Course& course = state.course;
+    if (!(std::isfinite(state.clock.time) && state.clock.last_step >= 0) || course.done < 0 ||
+        course.done > course.steps || !(course.start <= course.end) ||
+        state.time_error.due < state.statistics.steps || state.statistics.steps < 0)
+        throw std::invalid_argument("the clock of the saved state is out of order");
+    string.model.surroundings.derive(state.wall);
+}
+
+}  // namespace drillstrand

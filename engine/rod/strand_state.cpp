@@ -1,0 +1,166 @@
+#include "rod/strand_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "rod/report.hpp"
+
+namespace drillstrand {
+
+using Eigen::Vector3d;
+
+StrandString::StrandString(const Scene& scene_of_run)
+    : scene(scene_of_run), model(scene), head(scene), bit(scene) {}
+
+namespace {
+
+std::vector<Vector3d> positions(const std::vector<Pose>& poses) {
+    std::vector<Vector3d> position;
+    for (const Pose& pose : poses)
+        position.push_back(pose.position);
+    return position;
+}
+
+std::vector<Vector6> stresses(const StrandString& string, const Table<StrandRow>& rod) {
+    std::vector<Vector6> stress;
+    for (std::size_t k = 0; k < string.model.segments; ++k)
+        stress.push_back(stress_of(rod, k));
+    return stress;
+}
+
+std::vector<Pose> poses(const StrandString& string, const StrandState& state) {
+    std::vector<Vector6> strain;
+    for (std::size_t k = 0; k < string.model.segments; ++k) {
+        const SectionProperties& s = string.scene.mesh.segment[k];
+        strain.emplace_back(stress_of(state.rod, k).cwiseQuotient(stiffness_of(s)) +
+                            stress_free_strain(s));
+    }
+    return poses_from_strains(string.head.pose(state.head, state.clock.time),
+                              string.scene.mesh.length, strain);
+}
+
+}  // namespace
+
+Vector6 velocity_of(const Scene& scene, const Table<StrandRow>& rod, std::size_t node) {
+    return momentum_of(rod, node).cwiseQuotient(inertia_of(scene, node));
+}
+
+StrandState initial_state(const StrandString& string) {
+    const Scene& scene = string.scene;
+    const std::size_t nodes = string.model.segments + 1;
+    StrandState state;
+    state.rod = Table<StrandRow>(nodes);
+    state.rate = Table<StrandRow>(nodes);
+    // at rest but for the head, with the stresses of the initial strains
+    for (std::size_t k = 0; k + 1 < nodes; ++k) {
+        const SectionProperties& s = scene.mesh.segment[k];
+        set_stress(state.rod, k,
+                   stiffness_of(s).cwiseProduct(scene.initial_strain[k] - stress_free_strain(s)));
+    }
+    string.head.prescribe(state.rod, 0.0);
+    state.head = string.head.start();
+    state.wall = string.model.surroundings.wall_at(positions(poses_from_strains(
+        {scene.head_frame, scene.head_position}, scene.mesh.length, scene.initial_strain)));
+    state.accounts = Accounts(state.rod.blocks());
+    state.power.surroundings.resize(state.rod.blocks());
+    state.statistics.smallest_step = std::numeric_limits<double>::infinity();
+
+    double step = 1.0;
+    for (std::size_t k = 0; k < nodes; ++k) {
+        const std::size_t segment = std::min(k, nodes - 2);
+        step = std::min(
+            step, 0.01 * std::sqrt(scene.inertia[k] / scene.mesh.segment[segment].shear_stiffness));
+    }
+    state.clock.proposed_step = step;
+    return state;
+}
+
+BitMotion bit_motion(const StrandString& string, const Table<WallRow>& wall, const Pose& pose,
+                     double rotation_rate, double time) {
+    return {pose.frame,
+            string.model.surroundings.direction(wall, string.model.segments, pose.position,
+                                                pose.frame.col(0)),
+            string.head.opposed_rate(time, rotation_rate)};
+}
+
+void count_events(const StrandString& string, StrandState& state, std::size_t block) {
+    if (string.model.surroundings.empty()) return;
+    const std::size_t first = block * block_size;
+    double* touched = state.wall.row(WallRow::touched) + first;
+    double* slid = state.wall.row(WallRow::slid) + first;
+    const double* depth = state.wall.row(WallRow::depth) + first;
+    const double* sliding = state.wall.row(WallRow::sliding) + first;
+    for (std::size_t k = 0; k < block_size; ++k) {
+        const double touches = depth[k] > 0 ? 1.0 : 0.0;
+        const double slides = sliding[k] > 0 ? 1.0 : 0.0;
+        state.accounts.impacts[block] += touches * (1.0 - touched[k]);
+        state.accounts.slips[block] += slides * (1.0 - slid[k]);
+        touched[k] = touches;
+        slid[k] = slides;
+    }
+}
+
+void derive(const StrandString& string, StrandState& state) {
+    if (!(std::isfinite(state.clock.time) && state.clock.proposed_step > 0) ||
+        state.statistics.steps < 0)
+        throw std::invalid_argument("the clock of the saved state is out of order");
+    string.model.surroundings.derive(state.wall);
+}
+
+// ------------------------------------------------------------------ what the run reports
+
+EnergyOrigin energy_origin(const StrandString& string, const StrandState& state) {
+    const Scene& scene = string.scene;
+    const std::vector<Vector3d> position = positions(poses(string, state));
+    EnergyOrigin origin;
+    if (string.head.is_driven()) origin.head = kinetic_energy(scene, 0, momentum_of(state.rod, 0));
+    origin.potential = potential_energy(scene, position);
+    origin.springs =
+        contact_with(scene, string.model.surroundings, state.wall, position).spring_energy;
+    return origin;
+}
+
+SeriesRecord series_record(const StrandString& string, const StrandState& state) {
+    const Scene& scene = string.scene;
+    const std::size_t last = string.model.segments;
+    const std::vector<Vector3d> position = positions(poses(string, state));
+    SeriesRecord record;
+    record.time = state.clock.time;
+    record.head_stress = stress_of(state.rod, 0);
+    record.bit_stress = stress_of(state.rod, last - 1);
+    record.head_position = position.front();
+    record.bit_position = position.back();
+    record.head_rotation_rate = velocity_of(scene, state.rod, 0)[0];
+    record.bit_rotation_rate = velocity_of(scene, state.rod, last)[0];
+    record.step_size = state.clock.last_step;
+
+    EnergyAccount& energy = record.energy;
+    for (std::size_t k = 0; k <= last; ++k)
+        energy.kinetic += kinetic_energy(scene, k, momentum_of(state.rod, k));
+    energy.elastic = elastic_energy(scene, stresses(string, state.rod));
+    energy.potential = potential_energy(scene, position);
+    energy.work = state.head.work + state.bit.work;
+    if (string.head.is_driven())
+        energy.work += kinetic_energy(scene, 0, momentum_of(state.rod, 0)) - state.origin.head;
+    account_for(record, contact_with(scene, string.model.surroundings, state.wall, position),
+                state.accounts, state.origin);
+    return record;
+}
+
+Profile profile_record(const StrandString& string, const StrandState& state) {
+    Profile profile;
+    profile.time = state.clock.time;
+    const std::vector<Pose> pose = poses(string, state);
+    profile.position = positions(pose);
+    for (std::size_t k = 0; k < pose.size(); ++k) {
+        profile.director.emplace_back(pose[k].frame.col(0));
+        profile.momentum.push_back(momentum_of(state.rod, k));
+    }
+    profile.stress = stresses(string, state.rod);
+    report_wall(profile, string.model.surroundings, state.wall);
+    return profile;
+}
+
+}  // namespace drillstrand
