@@ -1,7 +1,4 @@
 // Chromium without a window, for the tests of the page and for its pictures.
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { chromium } from "playwright-core";
 
 const flags = [
@@ -9,20 +6,18 @@ const flags = [
   "--disable-component-update", "--disable-sync",
 ];
 
-/** Calls `use(context)` with a browser of an empty profile of its own, and closes it. */
-export async function withBrowser(options, use) {
-  const profile = await mkdtemp(join(tmpdir(), "drillstrand-browser-"));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    headless: true,
-    args: flags,
-    ...options,
-  });
+/** A browser of an empty profile of its own. Nothing here has a time limit: a busy machine is no failure. */
+export const startBrowser = () => chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, args: flags, timeout: 0 });
+
+/** Calls `use(context)` with a window that shares nothing with the browser's others, and closes it. */
+export async function withWindow(browser, options, use) {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(0);
   try {
     return await use(context);
   } finally {
     await context.close();
-    await rm(profile, { recursive: true, force: true });
   }
 }
 

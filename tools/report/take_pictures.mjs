@@ -3,7 +3,7 @@
 import { mkdir } from "node:fs/promises";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { openPage, showSection, withBrowser } from "./browser.mjs";
+import { openPage, showSection, startBrowser, withWindow } from "./browser.mjs";
 
 const [report, folder, ...looks] = process.argv.slice(2);
 if (!folder) {
@@ -13,10 +13,11 @@ if (!folder) {
 if (!looks.length) looks.push("1280", "light", "1280", "dark", "390", "light", "390", "dark");
 await mkdir(folder, { recursive: true });
 
+const browser = await startBrowser();
 for (let k = 0; k < looks.length; k += 2) {
   const [width, theme] = [Number(looks[k]), looks[k + 1]];
   const viewport = { width, height: width < 720 ? 844 : 900 };
-  await withBrowser({ viewport, colorScheme: theme }, async (context) => {
+  await withWindow(browser, { viewport, colorScheme: theme }, async (context) => {
     const page = await openPage(context, pathToFileURL(resolve(report)).href);
     const sections = await page.locator("section").evaluateAll((all) => all.map((section) => section.id));
     for (const id of sections) {
@@ -25,3 +26,4 @@ for (let k = 0; k < looks.length; k += 2) {
     }
   });
 }
+await browser.close();
