@@ -53,8 +53,8 @@ class Results(SmallRun):
                 self.assertEqual(len(values), count)
 
     def test_a_run_can_be_read_while_it_goes_on(self):
-        run = subprocess.Popen([self.program, "run", "case.toml", "-o", "live.h5", "--quiet"],
-                               cwd=self.folder, stderr=subprocess.DEVNULL)
+        run = subprocess.Popen([self.program, "run", "case.toml", "-o", "live.h5", "--quiet",
+                                "--set", "run.duration=100000"], cwd=self.folder, stderr=subprocess.DEVNULL)
         try:
             while not (self.folder / "live.h5").exists():
                 self.assertIsNone(run.poll())

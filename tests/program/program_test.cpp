@@ -120,10 +120,17 @@ class Program : public testing::Test {
     /// Starts a run that would take hours and waits until its file holds records.
     [[nodiscard]] pid_t start_long_run() const {
         const pid_t child = start({"run", "pipe.toml", "--set", "run.duration=100000"});
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-        while (!holds_records() && std::chrono::steady_clock::now() < deadline)
+        while (!holds_records() && is_running(child))
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         return child;
+    }
+
+    /// Whether a child has not ended yet; leaves its ending to ending_of().
+    [[nodiscard]] static bool is_running(pid_t child) {
+        siginfo_t ending{};
+        const int failed =
+            ::waitid(P_PID, static_cast<id_t>(child), &ending, WEXITED | WNOHANG | WNOWAIT);
+        return failed == 0 && ending.si_pid == 0;
     }
 
     [[nodiscard]] bool holds_records() const {

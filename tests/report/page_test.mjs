@@ -14,10 +14,13 @@ assert.ok(program, "usage: node page_test.mjs PROGRAM");
 for (const [path, what] of [[process.env.CHROMIUM ?? "/usr/bin/chromium", "Chromium"],
   [join(root, "tools/report/node_modules/playwright-core"), "playwright-core"]])
   assert.ok(existsSync(path), `${what} is missing (${path}); tools/setup installs it`);
-const { withBrowser, openPage, showSection } = await import("../../tools/report/browser.mjs");
+const { startBrowser, withWindow, openPage, showSection } = await import("../../tools/report/browser.mjs");
 
 const desk = mkdtempSync(join(tmpdir(), "drillstrand-report-"));
-after(() => rmSync(desk, { recursive: true, force: true }));
+after(async () => {
+  await browser?.close();
+  rmSync(desk, { recursive: true, force: true });
+});
 const at = (name) => join(desk, name);
 const python = (script, ...options) => execFileSync("/usr/bin/python3", [join(here, script), ...options],
   { encoding: "utf8", maxBuffer: 1e9 });
@@ -52,31 +55,34 @@ async function showAll(page) {
   for (const id of await sectionsOf(page)) await showSection(page, id);
 }
 
-/** Opens a page and fails if it says anything on the console or asks anything of the network. */
+/**
+ * Opens a page and fails if it says anything on the console or asks anything of the network. The page's
+ * clock stands unless the test turns it: what plays or loads itself anew does so when the test means it to,
+ * however slow the machine is.
+ */
 async function withPage(name, options, use) {
-  await withBrowser(options, async (context) => {
+  await withWindow(browser, options, async (context) => {
+    await context.clock.install({ time: 0 });
+    await context.clock.pauseAt(1000);
     const said = [];
     const asked = [];
     context.on("request", (request) => asked.push(request.url()));
     context.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
     context.on("weberror", (error) => said.push(String(error.error())));
     const url = pathToFileURL(at(name)).href;
-    const page = await openPage(context, url);
-    // A page of a run that goes on must not load itself anew under the test's hands.
-    const live = page.locator("#live");
-    if (await live.isVisible()) await press(live);
-    await showAll(page);
-    await use(page);
+    await use(await openPage(context, url));
     assert.deepEqual(said, [], "console");
     assert.deepEqual(asked.filter((one) => one !== url && !/^(data|blob):/.test(one)), [], "requests");
   });
 }
 
 const wide = { viewport: { width: 1280, height: 900 } };
+let browser;
 let well;  // of a run in a well, read by h5py
 let frame;  // a profile in its middle
 
-before(() => {
+before(async () => {
+  browser = await startBrowser();
   run("well2_drilling.toml", "well.h5", "run.duration=12", "output.profile_interval=0.1", "output.interval=0.05",
     'head.rotation=[[0, 0], [2, "2 Hz"]]', 'bit.weight=[[2, 0], [4, "50 kN"]]');
   frame = 57;
@@ -88,6 +94,7 @@ test("every section of a run in a well is there, with the numbers of the result 
   await withPage("well.html", wide, async (page) => {
     assert.deepEqual(await sectionsOf(page), ["summary", "traces", "head", "view", "maps", "profiles", "orbit", "stickslip",
       "spectrum", "contact", "steps", "energy", "case"]);
+    await showAll(page);
     const times = well["series/time"];
     const head = (k) => well["series/head_stress"].map((stress) => stress[k]);
     const bit = (k) => well["series/bit_stress"].map((stress) => stress[k]);
@@ -142,15 +149,6 @@ test("every section of a run in a well is there, with the numbers of the result 
     assert.equal(await page.locator("#value-bit-rotation").textContent(), printed(well["series/bit_rotation_rate"][last] / rpm, "rpm"));
     assert.equal(await page.locator("h1").textContent(), well.attributes.title);
     assert.equal(await page.locator(".status").textContent(), "complete");
-  });
-});
-
-test("all axes have titles", async () => {
-  await withPage("well.html", wide, async (page) => {
-    const bare = await page.locator(".plot").evaluateAll((plots) => plots.flatMap((plot) =>
-      Object.entries(plot.layout).filter(([key, axis]) => /^[xy]axis/.test(key) && axis.showticklabels !== false && !axis.title.text)
-        .map(([key]) => `${plot.id} ${key}`)));
-    assert.deepEqual(bare, []);
   });
 });
 
@@ -228,7 +226,8 @@ test("sliders, lists and the play button change what is shown", async () => {
     await showSection(page, "view");
     await setSlider("#view .time-slider", 0);
     await page.locator("#view .play").click();
-    await page.waitForFunction(() => Number(document.querySelector("#plot-view").dataset.frame) > 3);
+    await page.clock.runFor(500);
+    assert.ok(Number(await page.locator("#plot-view").getAttribute("data-frame")) > 3);
     assert.equal(await page.locator("#view .play").textContent(), "Pause");
     await page.locator("#view .play").click();
     assert.equal(await page.locator("#view .play").textContent(), "Play");
@@ -255,9 +254,14 @@ test("the page is light or dark as the system is, and as the button says", async
     });
 });
 
-test("nothing sticks out of the page, on a desk or on a telephone", async () => {
+test("all axes have titles and nothing sticks out of the page, on a desk or on a telephone", async () => {
   for (const width of [1280, 390])
     await withPage("well.html", { viewport: { width, height: 844 } }, async (page) => {
+      await showAll(page);
+      const bare = await page.locator(".plot").evaluateAll((plots) => plots.flatMap((plot) =>
+        Object.entries(plot.layout).filter(([key, axis]) => /^[xy]axis/.test(key) && axis.showticklabels !== false && !axis.title.text)
+          .map(([key]) => `${plot.id} ${key}`)));
+      assert.deepEqual(bare, []);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width, `${width} pixels`);
       const out = await page.locator("section *").evaluateAll((all) => all.filter((one) =>
         !one.closest(".compare, pre, svg, .bar") && one.getBoundingClientRect().right > window.innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)));
@@ -269,6 +273,7 @@ test("a string without a well has a page without wall, contact and whirl", async
   run("cantilever.toml", "cantilever.h5", "run.duration=5", "output.profile_interval=0.1");
   drillstrand("report", "cantilever.h5", "-o", "free.html");
   await withPage("free.html", wide, async (page) => {
+    await showAll(page);
     assert.deepEqual(await sectionsOf(page), ["summary", "traces", "head", "view", "maps", "profiles", "spectrum", "steps", "energy", "case"]);
   });
 });
@@ -277,9 +282,11 @@ test("a page can be made of a run that has hardly begun, or not at all", async (
   for (const [records, profiles, sections] of [
     [1, 1, ["summary", "traces", "head", "view", "profiles", "orbit", "contact", "steps", "energy", "case"]],
     [0, 0, ["summary", "case"]]]) {
-    python("shortened_result.py", at("well.h5"), at("short.h5"), String(records), String(profiles));
-    drillstrand("report", "short.h5");
-    await withPage("short.html", wide, async (page) => {
+    const name = `short${records}`;
+    python("shortened_result.py", at("well.h5"), at(`${name}.h5`), String(records), String(profiles));
+    drillstrand("report", `${name}.h5`);
+    await withPage(`${name}.html`, wide, async (page) => {
+      await showAll(page);
       assert.deepEqual(await sectionsOf(page), sections);
       assert.equal(await page.locator(".status").textContent(), "running, or killed before its end");
       assert.equal(await page.locator(".alerts li").count(), 1);
@@ -295,6 +302,7 @@ test("a long run keeps its page small and says what it left out", async () => {
     const notes = (await page.locator("#summary > .hint").allTextContents()).join(" ");
     assert.match(notes, /\d+ of 2001 profiles are drawn/);
     assert.match(notes, /10001 of 20001 records are drawn/);
+    await showAll(page);
     const { x, z } = (await plotted(page, "map-spin")).traces[0];
     assert.equal(z.length, x.length);
     assert.ok(x.length >= 400 && x.at(-1) === 4);
@@ -322,6 +330,7 @@ test("measured channels lie beside the simulated ones", async () => {
   assert.ok(Math.abs(measured - simulated - 10 * klbf / 1e3) < 0.1, `${measured}, ${simulated}`);
   assert.ok(Math.abs(simulated - mean / 1e3) < 0.01 * mean / 1e3);
   await withPage("rig.html", wide, async (page) => {
+    await showAll(page);
     const lines = (await plotted(page, "traces")).traces.filter(({ title }) => title === "measured");
     assert.equal(lines.length, 2);
     assertClose(lines[0].x, times, "measured times");
@@ -336,41 +345,57 @@ test("--follow writes the page again until the run ends", async (context) => {
     { cwd: desk, stdio: "ignore" });
   const ended = new Promise((resolve) => child.on("exit", resolve));
   context.after(() => child.kill("SIGKILL"));
-  const until = async (what, condition) => {
-    const deadline = Date.now() + 60e3;
-    while (!condition()) {
-      assert.ok(Date.now() < deadline, what);
-      await new Promise((resolve) => setTimeout(resolve, 100));
+  const until = async (condition) => {
+    while (!condition()) await new Promise((resolve) => setTimeout(resolve, 100));
+  };
+  const holdsRecords = () => {
+    try {
+      return JSON.parse(python("result_numbers.py", at("live.h5")))["series/time"].length > 2;
+    } catch {
+      return false;  // not there yet, or in the middle of a flush
     }
   };
-  await until("the run writes", () => existsSync(at("live.h5")) &&
-    JSON.parse(python("result_numbers.py", at("live.h5")))["series/time"].length > 2);
+  await until(holdsRecords);
   const follower = spawn(program, ["report", "live.h5", "--follow"], { cwd: desk, stdio: "ignore" });
   context.after(() => follower.kill("SIGKILL"));
   const followed = new Promise((resolve) => follower.on("exit", resolve));
-  await until("a page is written", () => existsSync(at("live.html")));
+  await until(() => existsSync(at("live.html")));
   await withPage("live.html", wide, async (page) => {
     const live = page.locator("#live");
+    await press(live);
     assert.equal(await live.getAttribute("aria-pressed"), "false");
-    const records = (await plotted(page, "traces")).traces[0].x.length;
+    await page.evaluate(() => { document.body.dataset.opened = "once"; });
+    await page.clock.runFor(20000);
+    await showAll(page);
+    assert.equal(await page.locator('[data-opened="once"]').count(), 1, "the page stays while it is not live");
+    await press(live);
+    const records = async () => (await plotted(page, "traces")).traces[0].x.length;
+    const before = await records();
     await showSection(page, "profiles");
     const topOfSection = () => page.locator("#profiles").evaluate((section) => section.getBoundingClientRect().top);
     const top = await topOfSection();
-    const loaded = page.waitForEvent("load");
-    await press(live);
-    await loaded;
-    await page.waitForSelector("html[data-ready]");
-    await press(live);
+    const loadsItselfAnew = async () => {
+      const loaded = page.waitForEvent("load");
+      await page.clock.runFor(5000);
+      await loaded;
+      await page.waitForSelector("html[data-ready]");
+    };
+    await loadsItselfAnew();
     const moved = (await topOfSection()) - top;
     assert.ok(Math.abs(moved) < 2, `the page moved by ${moved} pixels`);
+    // As often as it takes the follower to write the page again.
     await showSection(page, "traces");
-    assert.ok((await plotted(page, "traces")).traces[0].x.length > records, "new records are there");
+    while ((await records()) <= before) {
+      await loadsItselfAnew();
+      await showSection(page, "traces");
+    }
   });
   child.kill("SIGINT");
   assert.equal(await ended, 130);
   assert.equal(await followed, 0);
   assert.match(readFileSync(at("live.html"), "utf8"), /"follow":null/);
   await withPage("live.html", wide, async (page) => {
+    await showAll(page);
     assert.ok(!(await page.locator("#live").isVisible()));
     assert.equal(await page.locator(".status").textContent(), "interrupted");
   });
