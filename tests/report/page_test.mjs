@@ -295,7 +295,7 @@ test("a page can be made of a run that has hardly begun, or not at all", async (
 });
 
 test("a long run keeps its page small and says what it left out", async () => {
-  run("well2.toml", "long.h5", "run.duration=4", "output.profile_interval=0.002", "output.interval=0.0002");
+  run("well2.toml", "long.h5", "run.duration=4", "output.profile_interval=0.002", "output.interval=0.0002", "mesh.segments=120");
   drillstrand("report", "long.h5");
   assert.ok(statSync(at("long.html")).size < 15e6, `${statSync(at("long.html")).size} bytes`);
   await withPage("long.html", wide, async (page) => {
