@@ -114,8 +114,8 @@ def with_order(value, order):
     return f"{value:.2e}" + (f" ({order:.2f})" if order is not None else "")
 
 
-def write_readme(tables, options, facts):
-    """The table of README.md: errors with their orders, steps, cost."""
+def publish(tables, options, facts):
+    """The table of RESULTS.md: errors with their orders, steps, cost."""
     introduction = (
         "Distance of the tip (order in brackets): at rest, from the exact solution; of the paper's "
         f"damped swing over {options.duration:g} s (root of the integral of its square over time) "
@@ -143,8 +143,8 @@ def write_readme(tables, options, facts):
         title = ("With segment inertia (`mesh.segment_inertia = true`)" if inertia
                  else "The paper's rotary inertia (the default)")
         parts.append(f"{title}:\n\n{measure.markdown(lines)}")
-    measure.fill_readme("cantilever", facts, introduction, *parts,
-                        picture=measure.results_folder(options.machine) / "cantilever.png")
+    measure.publish("cantilever", facts, introduction, *parts,
+                    picture=measure.results_folder(options.machine) / "cantilever.png")
 
 
 def draw(tables, motions, reference, time, path):
@@ -188,7 +188,7 @@ def draw(tables, motions, reference, time, path):
 
 
 def main():
-    """Measures, writes CSV and picture and, if asked, README.md."""
+    """Measures, writes CSV and picture and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -220,8 +220,8 @@ def main():
     measure.write_csv(folder / "cantilever.csv", facts, tables[False] + tables[True])
     time = swings[False][meshes[0]][1]["time"]
     draw(tables, motions[False], reference, time, folder / "cantilever.png")
-    if options.readme:
-        write_readme(tables, options, facts)
+    if options.publish:
+        publish(tables, options, facts)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 paper's six loads, with the paper's parameters and resolved, against the classical formulas.
 
 Writes confined_buckling.csv and six pictures (the paper's figures 13 to 18) to
-bench/results/MACHINE/ and, with --readme, the table into README.md.
+bench/results/MACHINE/ and, with --publish, the table into bench/RESULTS.md.
 """
 
 import argparse
@@ -349,12 +349,12 @@ def critical_loads():
             + listed(buckled_shape.horizontal_limits(BENDING, WEIGHT, CLEARANCE)) + ".")
 
 
-def write_readme(rows, facts, folder):
+def publish(rows, facts, folder):
     tables = [measure.markdown([cells(row) for row in rows if row["well"] == well])
               for well, cells in (("vertical", vertical_cells),
                                   ("horizontal", horizontal_cells))]
     azimuth = folder / "confined_buckling_vertical_azimuth.png"
-    measure.fill_readme(
+    measure.publish(
         "confined-buckling", facts,
         "The paper's six loads with `leapfrog`, on a fine mesh with a stiff wall, a dead load and "
         "a bit that touches 0.3 m of wall (`cases/vertical_resolved.toml`, "
@@ -363,12 +363,12 @@ def write_readme(rows, facts, folder):
         + critical_loads(),
         "Vertical well:", tables[0],
         f"Horizontal well, without the {END_ZONE} m next to each end:", tables[1],
-        f"![azimuth of the contact]({azimuth.relative_to(measure.ROOT)})",
+        f"![azimuth of the contact]({measure.link(azimuth)})",
         picture=folder / "confined_buckling_horizontal_wall.png")
 
 
 def main():
-    """Runs the twelve cases, writes CSV and pictures and, if asked, README.md."""
+    """Runs the twelve cases, writes CSV and pictures and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -391,8 +391,8 @@ def main():
     measure.write_csv(folder / "confined_buckling.csv", facts,
                       [{name: row.get(name) for name in names} for row in rows])
     draw(results, folder)
-    if options.readme:
-        write_readme(rows, facts, folder)
+    if options.publish:
+        publish(rows, facts, folder)
 
 
 if __name__ == "__main__":

@@ -119,7 +119,7 @@ void segments_then_nodes_plainly(Bench& bench) {
     bench.nodes_plainly();
 }
 
-/// A feature set as README.md names it.
+/// A feature set as RESULTS.md names it.
 struct NamedFeatures {
     const char* name;
     SceneFeatures features;

@@ -33,7 +33,7 @@ def medians(options):
     return table
 
 
-def write_readme(table, facts):
+def publish(table, facts):
     """One line per kernel, one column per mesh: vector (plain, ratio)."""
     meshes = sorted({segments for _, segments in table})
     rows = []
@@ -47,7 +47,7 @@ def write_readme(table, facts):
             ns = table[kernel, meshes[-1]].get(SIDES[2])
             row[f"2 threads, N = {meshes[-1]}"] = f"{ns:.1f}" if ns else ""
         rows.append(row)
-    measure.fill_readme(
+    measure.publish(
         "kernels", facts,
         "Nanoseconds per node; in brackets those of a plain scalar twin (arrays of structures, "
         "functions of the C library) that computes the same, and how many times longer it takes. "
@@ -57,7 +57,7 @@ def write_readme(table, facts):
 
 
 def main():
-    """Measures, writes the CSV file and, if asked, README.md."""
+    """Measures, writes the CSV file and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__)
     measure.add_options(parser)
     parser.add_argument("--filter", default=".", help="which benchmarks to run; on a machine that "
@@ -75,8 +75,8 @@ def main():
              **{f"{side} (ns per node)": f"{ns[side]:.3f}" if side in ns else "" for side in SIDES}}
             for (kernel, segments), ns in table.items()]
     measure.write_csv(measure.results_folder(options.machine) / "kernels.csv", facts, rows)
-    if options.readme:
-        write_readme(table, facts)
+    if options.publish:
+        publish(table, facts)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,8 @@ from pathlib import Path
 import h5py
 
 ROOT = Path(__file__).resolve().parent.parent
+# The page of all measured tables.
+PAGE = ROOT / "bench" / "RESULTS.md"
 
 # Loads of a machine that does nothing else, before a measurement and after one on two threads.
 IDLE, BUSY = 0.5, 2.5
@@ -31,8 +33,8 @@ def add_options(parser):
                         help="build directory with the programs to measure (default: build)")
     parser.add_argument("--machine", default=machine_name(),
                         help="folder of bench/results to write (default: %(default)s)")
-    parser.add_argument("--readme", action="store_true",
-                        help="also write the table into README.md")
+    parser.add_argument("--publish", action="store_true",
+                        help="also write the table into bench/RESULTS.md")
 
 
 def machine_name():
@@ -138,34 +140,43 @@ def write_csv(path, facts, rows):
 
 
 def markdown(rows):
-    """A table for README.md; `rows` are dicts of text with the same keys."""
+    """A table for RESULTS.md; `rows` are dicts of text with the same keys."""
     names = list(rows[0])
     lines = ["| " + " | ".join(names) + " |", "|" + "---|" * len(names)]
     lines += ["| " + " | ".join(row[name] for name in names) + " |" for row in rows]
     return "\n".join(lines)
 
 
-def fill_readme(name, facts, introduction, *tables, picture=None):
-    """Replaces the section of README.md between the markers of a table. Says so where the machine
-    was busy with something else."""
-    readme = ROOT / "README.md"
+def link(path, page=PAGE):
+    """A file of the project as a link on a page names it."""
+    return path.resolve().relative_to(page.parent).as_posix()
+
+
+def wrapped(text):
+    """A paragraph of a page. A line ends at no hyphen, or the page would show a space after it."""
+    return textwrap.fill(text, 120, break_on_hyphens=False)
+
+
+def publish(name, facts, introduction, *tables, picture=None, page=PAGE):
+    """Replaces the section of a page between the markers of a table. Says so where the machine was
+    busy with something else."""
     begin, end = f"<!-- BEGIN table:{name} -->", f"<!-- END table:{name} -->"
-    old = readme.read_text(encoding="utf-8")
+    old = page.read_text(encoding="utf-8")
     if begin not in old or end not in old:
-        sys.exit(f"{readme} has no {begin} ... {end}")
+        sys.exit(f"{page} has no {begin} ... {end}")
     source = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program"))
-    parts = [textwrap.fill(introduction, 100), *tables]
+    parts = [wrapped(introduction), *tables]
     if picture:
-        parts.append(f"![{name}]({picture.relative_to(ROOT)})")
+        parts.append(f"![{name}]({link(picture, page)})")
     before, after = (dict(facts).get(key, load()) for key in ("load before", "load after"))
     remark = ("" if float(before) < IDLE and float(after) < BUSY else
               f" Other work ran at the same time (load {before} before, {after} after): wall times "
               "and all times of several threads are too long; processor times of one thread hold.")
-    parts.append(textwrap.fill(f"Measured on {source}.{remark}", 100))
+    parts.append(wrapped(f"Measured on {source}.{remark}"))
     new = "\n".join([begin, "\n\n".join(parts), end])
     head, rest = old.split(begin)
-    readme.write_text(head + new + rest.split(end, 1)[1], encoding="utf-8")
-    print(f"filled table {name} of {readme}", file=sys.stderr)
+    page.write_text(head + new + rest.split(end, 1)[1], encoding="utf-8")
+    print(f"filled table {name} of {page}", file=sys.stderr)
 
 
 def figure(width, height, **options):

@@ -397,7 +397,7 @@ def draw(rows, machine, threads, path):
     measure.save(picture, path)
 
 
-def write_readme(options, facts, rows, features, machine, threads, picture):
+def publish(options, facts, rows, features, machine, threads, picture):
     """Two tables: sets of features, and the price of each."""
     def find(name, n, number):
         return next(row for row in rows if row["features"] == name and row["segments"] == n
@@ -425,12 +425,12 @@ def write_readme(options, facts, rows, features, machine, threads, picture):
         f"a fused multiply-add counts two), and their share of the measured peak, "
         f"{machine.peak[1]:.0f} Gflop/s a core. Below: what each feature adds at N = {HEADLINE}, "
         "and what it costs when the case file names it but switches it off.")
-    measure.fill_readme("scaling", facts, introduction, measure.markdown(lines),
-                        measure.markdown(features), picture=picture)
+    measure.publish("scaling", facts, introduction, measure.markdown(lines),
+                    measure.markdown(features), picture=picture)
 
 
 def main():
-    """Measures, writes CSV and picture and, if asked, README.md."""
+    """Measures, writes CSV and picture and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -466,8 +466,8 @@ def main():
             "operations per node", "share of peak", "share of bandwidth")
     print(measure.markdown([{key: str(row[key]) for key in keys} for row in rows]))
     print(measure.markdown(features))
-    if options.readme:
-        write_readme(options, facts, rows, features, machine, threads, folder / f"{stem}.png")
+    if options.publish:
+        publish(options, facts, rows, features, machine, threads, folder / f"{stem}.png")
 
 
 if __name__ == "__main__":

@@ -92,7 +92,7 @@ def failures(rows):
 
 
 def main():
-    """Runs both sets, writes CSV and, if asked, README.md; ends with 1 where a scene fails."""
+    """Runs both sets, writes CSV and, if asked, RESULTS.md; ends with 1 where a scene fails."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -122,8 +122,8 @@ def main():
                                             for scenes, numbers in summaries.items()}}
                               for name in names])
     print(table)
-    if options.readme:
-        measure.fill_readme(
+    if options.publish:
+        measure.publish(
             "stress", facts,
             "Random scenes over the ranges that engineers use (pipe of 2 3/8 to 20 in, 100 to "
             "8000 m, doglegs to 15 deg/30 m, 0 to 300 rpm, 0 to 500 kN, friction 0 to 0.8, fluid to "

@@ -65,7 +65,7 @@ def summary(attributes, series, processor_seconds):
 
 
 def text_of(name, value):
-    """A number of the summary for README.md."""
+    """A number of the summary for RESULTS.md."""
     if value is None:
         return "not reached"
     if isinstance(value, int):
@@ -79,12 +79,12 @@ def text_of(name, value):
     return f"{value:.2f}" if value > 0.01 else f"{value:.2e}"
 
 
-def write_readme(runs, identical, facts, picture):
+def publish(runs, identical, facts, picture):
     """One column per run."""
     names = [name for name in runs[0] if name != "threads"]
     rows = [{"": name, **{f"{run['threads']} thread{'s' * (run['threads'] > 1)}":
                           text_of(name, run[name]) for run in runs}} for name in names]
-    measure.fill_readme(
+    measure.publish(
         "well1", facts,
         "`cases/well1.toml` to its end. Steps are sampled at the records, every 0.1 s: the last "
         "one before a record may be cut to half. Tension and torques are means over "
@@ -127,7 +127,7 @@ def draw(series, path):
 
 
 def main():
-    """Measures, writes CSV and picture and, if asked, README.md."""
+    """Measures, writes CSV and picture and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -148,8 +148,8 @@ def main():
     folder = measure.results_folder(options.machine)
     measure.write_csv(folder / "well1.csv", facts, runs)
     draw(one, folder / "well1.png")
-    if options.readme:
-        write_readme(runs, identical, facts, folder / "well1.png")
+    if options.publish:
+        publish(runs, identical, facts, folder / "well1.png")
 
 
 if __name__ == "__main__":

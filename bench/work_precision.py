@@ -505,7 +505,7 @@ def as_text(ratio):
 
 
 def summary(motions, rows, clock):
-    """Lines of the README's table, and the median over the motions of the paper's ratio."""
+    """Lines of the table, and the median over the motions of the paper's ratio."""
     lines = []
     medians = []
     for motion in motions:
@@ -586,8 +586,8 @@ def draw(motion, rows, clock, path, conditions):
 
 # ---------------------------------------------------------------- all of it
 
-def write_readme(options, facts, motions, rows, clock, pictures):
-    """The table of README.md."""
+def publish(options, facts, motions, rows, clock, pictures):
+    """The table of RESULTS.md."""
     lines, median = summary(motions, rows, clock)
     kind = "Trial (short windows, coarse references). " if options.quick else ""
     introduction = (
@@ -598,10 +598,10 @@ def write_readme(options, facts, motions, rows, clock, pictures):
         "Runge-Kutta) runs with several tolerances; the number is the median of its best runs. "
         f"Median over the motions of dormand-prince over leapfrog: {as_text(median)}. "
         f"Times: {clock.removesuffix(' (s)')} time.")
-    links = ", ".join(f"[{motion.title}]({pictures[motion.key].relative_to(measure.ROOT)})"
+    links = ", ".join(f"[{motion.title}]({measure.link(pictures[motion.key])})"
                       for motion in motions)
-    measure.fill_readme("work-precision", facts, introduction, measure.markdown(lines),
-                        f"Pictures, time against error: {links}.")
+    measure.publish("work-precision", facts, introduction, measure.markdown(lines),
+                    f"Pictures, time against error: {links}.")
 
 
 def has_arkode(build):
@@ -628,14 +628,14 @@ def read_rows(path):
     return facts, [{name: value(text) for name, text in row.items()} for row in table]
 
 
-def redo_readme(options, folder):
-    """The table of README.md from the CSV file of an earlier run."""
+def publish_again(options, folder):
+    """The table of RESULTS.md from the CSV file of an earlier run."""
     facts, rows = read_rows(folder / f"{options.stem}.csv")
     measured = {row["motion"] for row in rows}
     motions = [motion for motion in MOTIONS if motion.key in measured]
     clock = dict(facts)["method"].rsplit(": ", 1)[1]
     pictures = {key: folder / f"{options.stem}_{key}.png" for key in measured}
-    write_readme(options, facts, motions, rows, clock, pictures)
+    publish(options, facts, motions, rows, clock, pictures)
 
 
 def choose_clock():
@@ -644,7 +644,7 @@ def choose_clock():
 
 
 def main():
-    """Measures, writes CSV and pictures and, if asked, README.md."""
+    """Measures, writes CSV and pictures and, if asked, RESULTS.md."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
@@ -655,12 +655,12 @@ def main():
                         help="only this motion (may be repeated)")
     parser.add_argument("--limit", type=float, default=600, help="longest run (s)")
     parser.add_argument("--from-csv", action="store_true",
-                        help="run nothing: write the table of README.md from the last CSV file")
+                        help="run nothing: write the table of RESULTS.md from the last CSV file")
     options = parser.parse_args()
     options.stem = "work_precision_trial" if options.quick else "work_precision"
     folder = measure.results_folder(options.machine)
     if options.from_csv:
-        redo_readme(options, folder)
+        publish_again(options, folder)
         return
     options.rounds = options.rounds or (1 if options.quick else 3)
     options.arkode = has_arkode(options.build)
@@ -690,8 +690,8 @@ def main():
     lines, median = summary(motions, rows, clock)
     print(measure.markdown(lines))
     print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}")
-    if options.readme:
-        write_readme(options, facts, motions, rows, clock, pictures)
+    if options.publish:
+        publish(options, facts, motions, rows, clock, pictures)
 
 
 if __name__ == "__main__":
