@@ -81,12 +81,9 @@ bool holds_buckling(const fs::path& path) {
 }
 
 BucklingResult read_buckling(const fs::path& path) {
-    hdf5::require_result_file(path);
-    return hdf5::attempt(path, "read", [&] {
-        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
-                              hdf5::file_access());
+    return hdf5::read_file(path, [](hdf5::UntrustedFile& file) {
         BucklingResult result;
-        const H5::Group root = file.openGroup("/");
+        const H5::Group root = file.hdf5().openGroup("/");
         hdf5::read_origin(root, result.header, result.version, result.commit);
         std::string tip_weight;
         hdf5::read_attribute(root, "tip_weight", tip_weight);

@@ -105,17 +105,4 @@ void write_attribute(H5::H5Object& object, const char* name, std::int64_t value)
     attribute(object, name, H5::PredType::STD_I64LE).write(H5::PredType::NATIVE_INT64, &value);
 }
 
-void read_attribute(const H5::H5Object& object, const char* name, std::string& value) {
-    const H5::Attribute found = object.openAttribute(name);
-    found.read(found.getStrType(), value);
-}
-
-void read_attribute(const H5::H5Object& object, const char* name, double& value) {
-    object.openAttribute(name).read(H5::PredType::NATIVE_DOUBLE, &value);
-}
-
-void read_attribute(const H5::H5Object& object, const char* name, std::int64_t& value) {
-    object.openAttribute(name).read(H5::PredType::NATIVE_INT64, &value);
-}
-
 }  // namespace drillstrand::hdf5

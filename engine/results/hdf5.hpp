@@ -81,8 +81,4 @@ void write_attribute(H5::H5Object& object, const char* name, const std::string& 
 void write_attribute(H5::H5Object& object, const char* name, double value);
 void write_attribute(H5::H5Object& object, const char* name, std::int64_t value);
 
-void read_attribute(const H5::H5Object& object, const char* name, std::string& value);
-void read_attribute(const H5::H5Object& object, const char* name, double& value);
-void read_attribute(const H5::H5Object& object, const char* name, std::int64_t& value);
-
 }  // namespace drillstrand::hdf5

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 
 #include "drillstrand/result_file.hpp"
 #include "results/hdf5.hpp"
@@ -9,15 +9,15 @@ namespace drillstrand {
 
 namespace {
 
-/// The records in front whose times ascend. (Where a kill hits the flush of the times, the last of
-/// them may be missing and read as 0.)
+/// The records in front whose times are finite and ascend. (Where a kill hits the flush of the
+/// times, the last of them may be missing and read as 0.)
 template <class Record>
 std::vector<Record> ascending(std::vector<Record> records) {
-    const auto later = [](const Record& left, const Record& right) {
-        return left.time >= right.time;
-    };
-    const auto last = std::adjacent_find(records.begin(), records.end(), later);
-    if (last != records.end()) records.erase(last + 1, records.end());
+    std::size_t count = 0;
+    while (count < records.size() && std::isfinite(records[count].time) &&
+           (count == 0 || records[count - 1].time < records[count].time))
+        ++count;
+    records.resize(count);
     return records;
 }
 
@@ -42,12 +42,9 @@ void read_attributes(const H5::Group& root, Result& result) {
 }  // namespace
 
 Result read_result(const std::filesystem::path& path) {
-    hdf5::require_result_file(path);
-    return hdf5::attempt(path, "read", [&] {
-        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
-                              hdf5::file_access());
+    return hdf5::read_file(path, [](hdf5::UntrustedFile& file) {
         Result result;
-        read_attributes(file.openGroup("/"), result);
+        read_attributes(file.hdf5().openGroup("/"), result);
         hdf5::read_mesh(file, "", result.header);
         hdf5::read_scene(file, result.header);
         const std::size_t segments = result.header.segment_s.size();

@@ -1,6 +1,9 @@
 #include "results/scene_datasets.hpp"
 
 #include <Eigen/Core>
+#include <cmath>
+#include <map>
+#include <stdexcept>
 
 #include "drillstrand/well.hpp"
 #include "results/reading.hpp"
@@ -19,9 +22,10 @@ void write_string(H5::H5File& file, const ResultHeader& header) {
     }
 }
 
-void read_string(const H5::H5File& file, ResultHeader& header) {
+void read_string(UntrustedFile& file, ResultHeader& header) {
     for (const auto& entry : string_datasets()) {
-        const std::vector<double> values = read_values(file, entry.path);
+        const std::vector<double> values = read_checked_values(
+            file, entry.path, entry.integer, shape(entry, header.segment_s.size(), 0));
         entry.assign(header, values.data(), values.size());
     }
 }
@@ -36,10 +40,40 @@ void write_well(H5::H5File& file, const WellCase& well) {
     }
 }
 
-WellCase read_well(const H5::H5File& file) {
+/// Throws UnsoundFile unless a Well can be made of what was read.
+void check_well(const WellCase& well) {
+    const auto refuse = [](const std::string& problem) { throw UnsoundFile("/well: " + problem); };
+    if (well.survey.size() < 2) refuse("fewer than two stations");
+    if (well.sections.empty()) refuse("no section");
+    for (const SurveyStation& station : well.survey)
+        if (!std::isfinite(station.inclination) || !std::isfinite(station.azimuth))
+            refuse("a direction that is none");
+    for (const WellSectionCase& section : well.sections)
+        if (!std::isfinite(section.diameter) || section.diameter <= 0)
+            refuse("a diameter that is not positive");
+    try {
+        static_cast<void>(Well(well));
+    } catch (const std::invalid_argument& error) {
+        refuse(error.what());
+    }
+}
+
+WellCase read_well(UntrustedFile& file) {
     WellCase well;
-    for (const auto& entry : well_datasets())
-        entry.assign(well, read_values(file, entry.path));
+    std::map<std::string, hsize_t> rows;  // of stations and of sections
+    for (const auto& entry : well_datasets()) {
+        const auto known = rows.find(entry.extent);
+        std::vector<hsize_t> expected{known == rows.end() ? any_extent : known->second};
+        if (entry.components > 1) expected.push_back(entry.components);
+        const std::vector<double> values = read_checked_values(file, entry.path, false, expected);
+        // measured depths come first
+        if (known == rows.end()) {
+            require_ascending(entry.path, values);
+            rows[entry.extent] = values.size();
+        }
+        entry.assign(well, values);
+    }
+    check_well(well);
     return well;
 }
 
@@ -50,9 +84,9 @@ void write_scene(H5::H5File& file, const ResultHeader& header) {
     if (header.well) write_well(file, *header.well);
 }
 
-void read_scene(const H5::H5File& file, ResultHeader& header) {
-    if (file.nameExists("/string")) read_string(file, header);
-    if (file.nameExists("/well")) header.well = read_well(file);
+void read_scene(UntrustedFile& file, ResultHeader& header) {
+    if (holds(file, "/string")) read_string(file, header);
+    if (holds(file, "/well")) header.well = read_well(file);
 }
 
 }  // namespace drillstrand::hdf5

@@ -2,7 +2,7 @@
 /// because the tables that a case file names may be gone.
 #pragma once
 
-#include "results/hdf5.hpp"
+#include "results/reading.hpp"
 
 namespace drillstrand::hdf5 {
 
@@ -10,7 +10,7 @@ namespace drillstrand::hdf5 {
 void write_scene(H5::H5File& file, const ResultHeader& header);
 
 /// Reads what write_scene() wrote. What a file does not have (files of older versions have
-/// neither) stays empty.
-void read_scene(const H5::H5File& file, ResultHeader& header);
+/// neither) stays empty. The mesh must have been read.
+void read_scene(UntrustedFile& file, ResultHeader& header);
 
 }  // namespace drillstrand::hdf5

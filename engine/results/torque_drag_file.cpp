@@ -75,17 +75,33 @@ std::size_t array_bytes(const TorqueDragResult& result) {
     return (common + result.study.curves.size() * (depths + segments)) * sizeof(double);
 }
 
-void read_table(const H5::H5File& file, const std::string& group,
-                const std::vector<TorqueDragDataset>& table, TorqueDragCurve& curve) {
-    for (const TorqueDragDataset& entry : table)
-        entry.assign(curve, hdf5::read_values(file, group + "/" + entry.name));
+/// The values of one dataset, of which the integers are states of buckling.
+std::vector<double> read_entry(hdf5::UntrustedFile& file, const std::string& path,
+                               const TorqueDragDataset& entry, std::size_t count) {
+    std::vector<double> values = hdf5::read_checked_values(file, path, entry.integer, {count});
+    constexpr auto least = static_cast<double>(BucklingState::unknown);
+    constexpr auto most = static_cast<double>(BucklingState::helical);
+    if (entry.integer)
+        for (const double value : values)
+            if (value < least || value > most)
+                throw hdf5::UnsoundFile(path + ": a state of buckling that there is not");
+    return values;
 }
 
-TorqueDragCurve read_curve(const H5::H5File& file, TorqueDragMotion motion) {
+void read_table(hdf5::UntrustedFile& file, const std::string& group,
+                const std::vector<TorqueDragDataset>& table, std::size_t count,
+                TorqueDragCurve& curve) {
+    for (const TorqueDragDataset& entry : table)
+        entry.assign(curve, read_entry(file, group + "/" + entry.name, entry, count));
+}
+
+TorqueDragCurve read_curve(hdf5::UntrustedFile& file, TorqueDragMotion motion,
+                           const TorqueDrag& study) {
     TorqueDragCurve curve;
     curve.motion = motion;
-    read_table(file, group_of(motion), torque_drag_depth_datasets(), curve);
-    read_table(file, profile_group_of(motion), torque_drag_profile_datasets(), curve);
+    read_table(file, group_of(motion), torque_drag_depth_datasets(), study.bit_depth.size(), curve);
+    read_table(file, profile_group_of(motion), torque_drag_profile_datasets(),
+               study.measured_depth.size(), curve);
     return curve;
 }
 
@@ -104,19 +120,20 @@ bool holds_torque_drag(const fs::path& path) {
 }
 
 TorqueDragResult read_torque_drag(const fs::path& path) {
-    hdf5::require_result_file(path);
-    return hdf5::attempt(path, "read", [&] {
-        const H5::H5File file(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
-                              hdf5::file_access());
+    return hdf5::read_file(path, [](hdf5::UntrustedFile& file) {
         TorqueDragResult result;
-        const H5::Group root = file.openGroup("/");
+        TorqueDrag& study = result.study;
+        const H5::Group root = file.hdf5().openGroup("/");
         hdf5::read_origin(root, result.header, result.version, result.commit);
         hdf5::read_mesh(file, group_name, result.header);
-        result.study.bit_depth = hdf5::read_values(file, group_name + "/bit_depth");
-        result.study.measured_depth = hdf5::read_values(file, group_name + "/measured_depth");
+        const std::string depths = group_name + "/bit_depth";
+        study.bit_depth = hdf5::read_checked_values(file, depths, false, {hdf5::any_extent});
+        if (study.bit_depth.empty()) throw hdf5::UnsoundFile(depths + ": no depth");
+        study.measured_depth = hdf5::read_checked_values(file, group_name + "/measured_depth",
+                                                         false, {result.header.segment_s.size()});
         for (const TorqueDragMotion motion : motions)
-            if (file.nameExists(group_of(motion)))
-                result.study.curves.push_back(read_curve(file, motion));
+            if (hdf5::holds(file, group_of(motion)))
+                study.curves.push_back(read_curve(file, motion, study));
         return result;
     });
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -28,6 +29,8 @@ class MadeUpRun {
         header.integrator = "dormand-prince";
         header.threads = 3;
         fill(header, mesh_datasets());
+        for (auto* places : {&header.node_s, &header.segment_s})
+            std::sort(places->begin(), places->end());
         fill(header, string_datasets());
         header.well = well();
         return header;
@@ -57,7 +60,7 @@ class MadeUpRun {
         WellCase well;
         for (int k = 0; k < 3; ++k)
             well.survey.push_back({100.0 * k, angle(), angle()});
-        well.sections = {{number(), number()}, {number(), number()}};
+        well.sections = {{100 + angle(), 0.3 + angle() / 10}, {200 + angle(), 0.2 + angle() / 10}};
         return well;
     }
 
