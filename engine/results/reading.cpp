@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 /// What deflate can make of a byte at most (its longest match is 258 bytes, in two bits).
 constexpr hsize_t most_inflation = 1032;
-/// All values together: a sound file holds about twice its size, and 128 times where a string lies
-/// at rest in every profile.
+/// All values together: a sound file holds two to five times its size, and some forty times where a
+/// string lies at rest in every profile.
 constexpr hsize_t small_file_bytes = hsize_t{1} << 27;
-constexpr hsize_t most_values_per_byte = 128;
+constexpr hsize_t most_bytes_per_byte = 64;
 /// A chunk is taken into memory as a whole, however little of it is read.
 constexpr hsize_t small_chunk_bytes = hsize_t{1} << 20;
 /// The largest integer up to which a double holds each one.
@@ -250,7 +250,7 @@ UntrustedFile::UntrustedFile(const fs::path& path) {
 }
 
 void UntrustedFile::count(hsize_t bytes) {
-    const hsize_t most = small_file_bytes + product(bytes_, most_values_per_byte);
+    const hsize_t most = small_file_bytes + product(bytes_, most_bytes_per_byte);
     if (bytes > most || bytes_read_ > most - bytes)
         throw UnsoundFile(fmt::format(
             "claims more than {} bytes of values, which a file of {} bytes does not hold", most,

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "commands.hpp"
-#include "drillstrand/result_file.hpp"
 #include "export_csv.hpp"
 #include "export_vtk.hpp"
-#include "output.hpp"
+#include "printable.hpp"
+#include "read_apart.hpp"
 
 namespace drillstrand::program {
 
@@ -30,11 +31,13 @@ fs::path folder_of(const ExportOptions& options) {
     return folder;
 }
 
-void refuse_other_results(const fs::path& path) {
-    if (const auto other = other_contents(path))
+Result read_run(const fs::path& path) {
+    Contents contents = read_apart(path);
+    if (const auto other = other_than_run(contents))
         throw UsageError(
             fmt::format("{}: this holds {}; export takes what drillstrand run or equilibrium wrote",
                         path.string(), *other));
+    return std::get<Result>(std::move(contents));
 }
 
 void make_folder(const fs::path& folder) {
@@ -53,7 +56,7 @@ bool misses_its_well(const Result& result) {
 }
 
 void warn(const ExportOptions& options, const Result& result) {
-    const std::string path = options.result.string();
+    const std::string path = printable(options.result.string());
     if (misses_its_well(result))
         fmt::print(stderr,
                    "drillstrand: warning: {}: an older drillstrand left out the well; the export "
@@ -70,8 +73,7 @@ int export_result(const ExportOptions& options) {
     if (options.vtk == options.csv)
         throw UsageError("export needs one of --vtk (for ParaView) and --csv (for a spreadsheet)");
     const fs::path folder = folder_of(options);
-    refuse_other_results(options.result);
-    const Result result = read_result(options.result);
+    const Result result = read_run(options.result);
     make_folder(folder);
     warn(options, result);
     if (options.vtk)
@@ -80,7 +82,7 @@ int export_result(const ExportOptions& options) {
         write_csv(folder, result);
     fmt::print(stderr, "drillstrand: {} is in {}\n",
                options.vtk ? "string.pvd, for ParaView," : "series.csv, beside other tables,",
-               folder.string());
+               printable(folder.string()));
     return done;
 }
 

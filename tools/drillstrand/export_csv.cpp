@@ -85,13 +85,13 @@ std::string rows_of(double time, const std::vector<ExportField>& fields) {
     return text;
 }
 
-/// A long table: the header, then the rows of one profile after the other.
+/// A long table: the header, then the rows of one profile after the other. Without any there is
+/// still the header, of the columns that the profile `none` gives.
 template <class FieldsOf>
-void write_profiles(const fs::path& path, const std::vector<Profile>& profiles,
+void write_profiles(const fs::path& path, const std::vector<Profile>& profiles, const Profile& none,
                     FieldsOf&& fields_of) {
     ExportFile file(path);
-    // without a profile there is still a header
-    file.write(header_of(fields_of(profiles.empty() ? Profile{} : profiles.front())));
+    file.write(header_of(fields_of(profiles.empty() ? none : profiles.front())));
     for (const Profile& profile : profiles)
         file.write(rows_of(profile.time, fields_of(profile)));
     file.finish();
@@ -103,6 +103,19 @@ std::vector<ExportField> with_position(const Profile& profile, std::vector<Expor
         position.values.insert(position.values.end(), point.begin(), point.end());
     fields.insert(fields.begin() + 1, std::move(position));
     return fields;
+}
+
+/// A profile of zeros, with a value for every node and segment.
+Profile profile_at_rest(const ResultHeader& header) {
+    Profile profile;
+    const std::size_t segments = header.segment_s.size();
+    for (const auto& entry : profile_datasets()) {
+        const std::size_t rows = entry.rows == Rows::one        ? 1
+                                 : entry.rows == Rows::segments ? segments
+                                                                : segments + 1;
+        entry.assign(profile, std::vector<double>(rows * entry.components).data(), rows);
+    }
+    return profile;
 }
 
 void write_well(const fs::path& path, const std::vector<WellStretch>& stretches) {
@@ -125,10 +138,11 @@ void write_well(const fs::path& path, const std::vector<WellStretch>& stretches)
 void write_csv(const fs::path& folder, const Result& result) {
     write_series(folder / "series.csv", result.series);
     ProfileFields fields(result);
-    write_profiles(folder / "nodes.csv", result.profiles, [&](const Profile& profile) {
+    const Profile none = profile_at_rest(result.header);
+    write_profiles(folder / "nodes.csv", result.profiles, none, [&](const Profile& profile) {
         return with_position(profile, fields.of_nodes(profile));
     });
-    write_profiles(folder / "segments.csv", result.profiles,
+    write_profiles(folder / "segments.csv", result.profiles, none,
                    [&](const Profile& profile) { return fields.of_segments(profile); });
     if (result.header.well) write_well(folder / "well.csv", well_stretches(result));
 }

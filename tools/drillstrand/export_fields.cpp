@@ -40,7 +40,7 @@ ExportField spin(const Profile& profile, const std::vector<double>& polar_inerti
 /// Depths from `top` to `bottom`, both included, no two of them more than `turn` of the arc apart.
 std::vector<double> depths_of(const WellArc& arc, double top, double bottom) {
     const double pieces = std::ceil(arc.curvature * (bottom - top) / largest_turn);
-    const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(pieces));
+    const std::size_t count = pieces > 1 ? static_cast<std::size_t>(pieces) : 1;
     std::vector<double> depths;
     for (std::size_t k = 0; k <= count; ++k)
         depths.push_back(
@@ -48,7 +48,7 @@ std::vector<double> depths_of(const WellArc& arc, double top, double bottom) {
     return depths;
 }
 
-/// From where to where the well is drawn (m).
+/// From where to where the well is drawn (m). Depths that are none count not.
 std::pair<double, double> extent_of(const Result& result, const Well& well) {
     double top = well.measured_depth_start();
     double bottom = well.measured_depth_end();
@@ -56,8 +56,8 @@ std::pair<double, double> extent_of(const Result& result, const Well& well) {
         const auto [least, most] =
             std::minmax_element(profile.well_depth.begin(), profile.well_depth.end());
         if (least == profile.well_depth.end()) continue;
-        top = std::min(top, *least);
-        bottom = std::max(bottom, *most);
+        if (std::isfinite(*least)) top = std::min(top, *least);
+        if (std::isfinite(*most)) bottom = std::max(bottom, *most);
     }
     return {top, bottom};
 }

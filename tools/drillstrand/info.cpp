@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "commands.hpp"
-#include "drillstrand/buckling_file.hpp"
-#include "drillstrand/result_file.hpp"
 #include "drillstrand/result_layout.hpp"
-#include "drillstrand/torque_drag_file.hpp"
+#include "printable.hpp"
+#include "read_apart.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -23,18 +22,25 @@ std::string times_text(const std::vector<Record>& records) {
 }
 
 std::string status_text(const std::string& status) {
-    if (status != "running") return status;
-    return "running, or killed before its end";
+    return status == "running" ? "running, or killed before its end" : printable(status);
 }
 
-void print_origin(const std::filesystem::path& path, const Result& result) {
+void print_title(const std::filesystem::path& path, const ResultHeader& header) {
+    fmt::print("{}\n", printable(path.string()));
+    fmt::print("  title            {}\n", printable(header.title));
+}
+
+void print_maker(const std::string& version, const std::string& commit) {
+    fmt::print("  made by          drillstrand {}, commit {}\n", printable(version),
+               printable(commit));
+}
+
+void print_run(const Result& result) {
     const ResultFooter& footer = result.footer;
     const StepStatistics& statistics = footer.statistics;
-    fmt::print("{}\n", path.string());
-    fmt::print("  title            {}\n", result.header.title);
     fmt::print("  status           {}\n", status_text(footer.status));
-    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
-    fmt::print("  integrator       {}, {} thread{}\n", result.header.integrator,
+    print_maker(result.version, result.commit);
+    fmt::print("  integrator       {}, {} thread{}\n", printable(result.header.integrator),
                result.header.threads, result.header.threads == 1 ? "" : "s");
     fmt::print("  wall time        {}\n", duration_text(footer.wall_seconds));
     fmt::print("  steps            {} accepted, {} rejected, of {:.3g} to {:.3g} s\n",
@@ -46,7 +52,7 @@ void print_origin(const std::filesystem::path& path, const Result& result) {
     fmt::print("  energy residual  {:.2g} %\n", 100 * footer.energy_residual);
 }
 
-void print_contents(const Result& result) {
+void print_extent(const Result& result) {
     fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
                result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
     fmt::print("  series times     {}\n", times_text(result.series));
@@ -91,12 +97,16 @@ void print_profiles(std::size_t segments) {
     }
 }
 
-int buckling_info(const std::filesystem::path& path) {
-    const BucklingResult result = read_buckling(path);
-    fmt::print("{}\n", path.string());
-    fmt::print("  title            {}\n", result.header.title);
+void print_contents(const Result& result) {
+    print_run(result);
+    print_extent(result);
+    print_series(result.series);
+    print_profiles(result.header.segment_s.size());
+}
+
+void print_contents(const BucklingResult& result) {
     fmt::print("  holds            buckling modes of the straight string\n");
-    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
+    print_maker(result.version, result.commit);
     fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
                result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
     fmt::print("  tip weight       {} segment\n",
@@ -105,16 +115,12 @@ int buckling_info(const std::filesystem::path& path) {
         fmt::print("  mode {:<11} {:.10g} N\n", k + 1, result.modes[k].load);
     for (const auto& entry : buckling_datasets())
         fmt::print("  {:<24} {} ({})\n", entry.path, entry.description, entry.units);
-    return done;
 }
 
-int torque_drag_info(const std::filesystem::path& path) {
-    const TorqueDragResult result = read_torque_drag(path);
+void print_contents(const TorqueDragResult& result) {
     const std::vector<double>& depths = result.study.bit_depth;
-    fmt::print("{}\n", path.string());
-    fmt::print("  title            {}\n", result.header.title);
     fmt::print("  holds            torque and drag against the depth of the bit\n");
-    fmt::print("  made by          drillstrand {}, commit {}\n", result.version, result.commit);
+    print_maker(result.version, result.commit);
     fmt::print("  bit depths       {}, from {:.6g} to {:.6g} m\n", depths.size(), depths.front(),
                depths.back());
     fmt::print("  segments         {} at the last depth\n", result.header.segment_s.size());
@@ -125,19 +131,18 @@ int torque_drag_info(const std::filesystem::path& path) {
     for (const auto* table : {&torque_drag_depth_datasets(), &torque_drag_profile_datasets()})
         for (const TorqueDragDataset& entry : *table)
             fmt::print("  {:<24} {} ({})\n", entry.name, entry.description, entry.units);
-    return done;
 }
 
 }  // namespace
 
 int info(const std::filesystem::path& result_path) {
-    if (holds_buckling(result_path)) return buckling_info(result_path);
-    if (holds_torque_drag(result_path)) return torque_drag_info(result_path);
-    const Result result = read_result(result_path);
-    print_origin(result_path, result);
-    print_contents(result);
-    print_series(result.series);
-    print_profiles(result.header.segment_s.size());
+    const Contents contents = read_apart(result_path);
+    std::visit(
+        [&](const auto& result) {
+            print_title(result_path, result.header);
+            print_contents(result);
+        },
+        contents);
     return done;
 }
 

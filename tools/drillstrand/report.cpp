@@ -5,13 +5,14 @@
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "commands.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/measured.hpp"
-#include "drillstrand/result_file.hpp"
 #include "drillstrand/units.hpp"
-#include "output.hpp"
+#include "printable.hpp"
+#include "read_apart.hpp"
 #include "report_compare.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
@@ -114,10 +115,20 @@ PageContent page_of(const ReportOptions& options, const Result& result, bool liv
             arrays.base64()};
 }
 
+/// Throws UsageError for files of other commands.
+Result read_run(const fs::path& path) {
+    Contents contents = read_apart(path);
+    if (const auto other = other_than_run(contents))
+        throw UsageError(fmt::format(
+            "{}: holds {}, not a run over time; 'drillstrand info {}' says what is in it",
+            path.string(), *other, path.string()));
+    return std::get<Result>(std::move(contents));
+}
+
 /// Writes the page of what the result file holds now; true while its run goes on.
 bool write_report(const ReportOptions& options, const std::optional<Measured>& measured,
                   bool last) {
-    const Result result = read_result(options.result);
+    const Result result = read_run(options.result);
     const bool running = result.footer.status == "running";
     std::optional<std::vector<ChannelComparison>> comparison;
     if (measured) comparison = compare(measured->channels, measured->offset, result.series);
@@ -154,29 +165,20 @@ void follow(const ReportOptions& options, const std::optional<Measured>& measure
     }
 }
 
-/// Throws UsageError for files of other commands.
-void require_run(const fs::path& path) {
-    if (const auto other = other_contents(path))
-        throw UsageError(fmt::format(
-            "{}: holds {}, not a run over time; 'drillstrand info {}' says what is in it",
-            path.string(), *other, path.string()));
-}
-
 }  // namespace
 
 int report(const ReportOptions& options) {
-    require_run(options.result);
     const fs::path output = output_of(options);
     const std::optional<Measured> measured = read_measured_of(options);
     if (options.follow) {
         fmt::print(stderr,
                    "drillstrand: writing {} every {} s until the run ends; open it in a browser\n",
-                   output.string(), follow_period.count());
+                   printable(output.string()), follow_period.count());
         follow(options, measured);
     } else {
         write_report(options, measured, true);
     }
-    fmt::print(stderr, "drillstrand: the report is in {}\n", output.string());
+    fmt::print(stderr, "drillstrand: the report is in {}\n", printable(output.string()));
     return done;
 }
 

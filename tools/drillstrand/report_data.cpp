@@ -7,19 +7,25 @@
 #include <cmath>
 #include <cstring>
 
+#include "printable.hpp"
+
 namespace drillstrand::program {
 
 std::string json_text(std::string_view text) {
     std::string out = "\"";
-    for (const char character : text) {
-        const auto code = static_cast<unsigned char>(character);
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        const char32_t code = character.code;
         // Markup must not end the element of the page that holds the JSON.
-        if (code < 0x20 || character == '<' || character == '>' || character == '&')
-            out += fmt::format("\\u{:04x}", code);
-        else if (character == '"' || character == '\\')
-            (out += '\\') += character;
+        if (!character.sound)
+            out += "\\ufffd";
+        else if (is_control(character) || code == '<' || code == '>' || code == '&')
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(code));
+        else if (code == '"' || code == '\\')
+            (out += '\\') += text.front();
         else
-            out += character;
+            out += text.substr(0, character.bytes);
+        text.remove_prefix(character.bytes);
     }
     return out + '"';
 }

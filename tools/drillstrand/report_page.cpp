@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "drillstrand/error.hpp"
+#include "printable.hpp"
 
 // Files that the build puts into the program, each with a zero at its end (report_assets.cpp.in).
 extern "C" {
@@ -31,7 +32,7 @@ struct Insertion {
 
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char character : text) {
+    for (const char character : printable(text)) {
         if (character == '<')
             out += "&lt;";
         else if (character == '&')
