@@ -136,7 +136,7 @@ std::string shape_text(const std::vector<hsize_t>& extents) {
     std::string text;
     for (const hsize_t extent : extents)
         text += (text.empty() ? "" : " x ") +
-                (extent == any_extent ? std::string("any") : std::to_string(extent));
+                (extent == any_extent ? std::string("any number") : std::to_string(extent));
     return text.empty() ? "one value" : text;
 }
 

@@ -46,16 +46,18 @@ class UntrustedFile {
 /// Every reader of files goes through it.
 template <class Action>
 auto read_file(const std::filesystem::path& path, Action&& action) {
-    return attempt(path, "read", [&] {
-        try {
-            UntrustedFile file(path);
-            return action(file);
-        } catch (const UnsoundFile& problem) {
-            throw ResultError(path.string() + ": cannot read: " + problem.what());
-        } catch (const std::bad_alloc&) {
-            throw ResultError(path.string() + ": cannot read: not enough memory for it");
-        }
-    });
+    const QuietErrors quiet;
+    const std::string cannot_read = path.string() + ": cannot read: ";
+    try {
+        UntrustedFile file(path);
+        return action(file);
+    } catch (const UnsoundFile& problem) {
+        throw ResultError(cannot_read + problem.what());
+    } catch (const H5::Exception& problem) {
+        throw ResultError(cannot_read + "damaged (" + reason(problem) + ")");
+    } catch (const std::bad_alloc&) {
+        throw ResultError(cannot_read + "not enough memory for it");
+    }
 }
 
 /// Whether a file holds a group of that name. Throws ResultError where there is no file to read.

@@ -1,0 +1,128 @@
+/// Results that go through a pipe from the process that reads to the one that shows.
+#include "transfer.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <thread>
+
+#include "results/made_up_run.hpp"
+
+namespace drillstrand::program {
+namespace {
+
+template <class Value>
+Value through_a_pipe(Value value) {
+    std::array<int, 2> ends = {};
+    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    std::thread sender([&] {
+        Sender pipe(ends[1]);
+        transfer(pipe, value);
+        pipe.flush();
+        ::close(ends[1]);
+    });
+    Value received;
+    Receiver pipe(ends[0]);
+    transfer(pipe, received);
+    sender.join();
+    ::close(ends[0]);
+    return received;
+}
+
+TEST(Transfer, EverythingOfARunComesThrough) {
+    MadeUpRun run(37);
+    Result sent;
+    sent.header = run.header();
+    sent.footer = run.footer("failed: \n");
+    sent.version = "1.2.3";
+    sent.commit = "abc";
+    for (int k = 0; k < 700; ++k)
+        sent.series.push_back(run.series(k));
+    for (int k = 0; k < 20; ++k)
+        sent.profiles.push_back(run.profile(k));
+    const Result got = through_a_pipe(sent);
+    EXPECT_EQ(got.header.title, sent.header.title);
+    EXPECT_EQ(got.header.case_text, sent.header.case_text);
+    EXPECT_EQ(got.header.integrator, sent.header.integrator);
+    EXPECT_EQ(got.header.threads, sent.header.threads);
+    EXPECT_EQ(got.version, "1.2.3");
+    EXPECT_EQ(got.commit, "abc");
+    EXPECT_EQ(got.footer.status, sent.footer.status);
+    EXPECT_EQ(got.footer.wall_seconds, sent.footer.wall_seconds);
+    EXPECT_EQ(got.footer.energy_residual, sent.footer.energy_residual);
+    EXPECT_EQ(got.footer.statistics.steps, sent.footer.statistics.steps);
+    EXPECT_EQ(got.footer.statistics.rejected, sent.footer.statistics.rejected);
+    EXPECT_EQ(got.footer.statistics.evaluations, sent.footer.statistics.evaluations);
+    EXPECT_EQ(got.footer.statistics.smallest_step, sent.footer.statistics.smallest_step);
+    EXPECT_EQ(got.footer.statistics.largest_step, sent.footer.statistics.largest_step);
+    EXPECT_EQ(got.footer.statistics.time_error, sent.footer.statistics.time_error);
+    expect_same_bits(got.header, sent.header, mesh_datasets());
+    expect_same_bits(got.header, sent.header, string_datasets());
+    for (const auto& entry : well_datasets())
+        EXPECT_EQ(entry.values(*got.header.well), entry.values(*sent.header.well)) << entry.path;
+    ASSERT_EQ(got.series.size(), sent.series.size());
+    for (std::size_t k = 0; k < got.series.size(); ++k)
+        expect_same_bits(got.series[k], sent.series[k], series_datasets());
+    ASSERT_EQ(got.profiles.size(), sent.profiles.size());
+    for (std::size_t k = 0; k < got.profiles.size(); ++k)
+        expect_same_bits(got.profiles[k], sent.profiles[k], profile_datasets());
+}
+
+TEST(Transfer, ARunWithoutAWellOrRecordsComesThrough) {
+    Result sent;
+    sent.header.node_s = {0, 1};
+    const Result got = through_a_pipe(sent);
+    EXPECT_FALSE(got.header.well);
+    EXPECT_EQ(got.header.node_s, sent.header.node_s);
+    EXPECT_TRUE(got.series.empty());
+    EXPECT_TRUE(got.header.mass.empty());
+}
+
+TEST(Transfer, EveryBucklingModeComesThrough) {
+    BucklingResult sent;
+    sent.header = MadeUpRun(4).header();
+    sent.tip_weight = TipWeight::full;
+    sent.modes = {{5, {4, Vector6::LinSpaced(1, 6)}}, {7, {4, Vector6::LinSpaced(7, 12)}}};
+    const BucklingResult got = through_a_pipe(sent);
+    EXPECT_EQ(got.tip_weight, TipWeight::full);
+    ASSERT_EQ(got.modes.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k)
+        expect_same_bits(got.modes[k], sent.modes[k], buckling_datasets());
+}
+
+TEST(Transfer, EveryMotionOfTorqueAndDragComesThrough) {
+    TorqueDragResult sent;
+    sent.study.bit_depth = {1, 2};
+    sent.study.measured_depth = {3, 4, 5};
+    TorqueDragCurve curve;
+    curve.motion = TorqueDragMotion::drilling;
+    for (const auto* table : {&torque_drag_depth_datasets(), &torque_drag_profile_datasets()})
+        for (const TorqueDragDataset& entry : *table)
+            entry.assign(curve, {-1, 2});
+    sent.study.curves = {curve};
+    const TorqueDragResult got = through_a_pipe(sent);
+    EXPECT_EQ(got.study.bit_depth, sent.study.bit_depth);
+    EXPECT_EQ(got.study.measured_depth, sent.study.measured_depth);
+    ASSERT_EQ(got.study.curves.size(), 1U);
+    EXPECT_EQ(got.study.curves[0].motion, TorqueDragMotion::drilling);
+    for (const auto* table : {&torque_drag_depth_datasets(), &torque_drag_profile_datasets()})
+        for (const TorqueDragDataset& entry : *table)
+            EXPECT_EQ(entry.values(got.study.curves[0]), entry.values(curve)) << entry.name;
+}
+
+/// A list that claims more than follows: what reads it neither waits nor takes memory for it.
+TEST(Transfer, AListThatEndsEarlyIsAnError) {
+    std::array<int, 2> ends = {};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    const std::uint64_t claimed = std::uint64_t{1} << 60;
+    ASSERT_EQ(::write(ends[1], &claimed, sizeof claimed), static_cast<ssize_t>(sizeof claimed));
+    ::close(ends[1]);
+    Receiver pipe(ends[0]);
+    std::vector<double> values;
+    EXPECT_THROW(transfer(pipe, values), BrokenPipe);
+    ::close(ends[0]);
+}
+
+}  // namespace
+}  // namespace drillstrand::program
