@@ -196,7 +196,7 @@ void add_drag(int segments) {
             report(state, static_cast<double>(count));
         };
     };
-    add("drag coefficients", "vector", segments, run(drag_of_all));
+    add("drag coefficients", "vector", segments, run(at_level<drag_of_all>({})));
     add("drag coefficients", "plain", segments, run(plain_drag_of_all));
 }
 

@@ -233,6 +233,7 @@ double bandwidth_of(std::size_t bytes, int threads) {
     std::vector<double> a(count, 0.0);
     std::vector<double> b(count, 1.0);
     std::vector<double> c(count, 2.0);
+    const auto sweep_once = at_level<triad>({});
     const auto sweeps = static_cast<int>(1 + 40'000'000 / count);
     double best = 0;
     for (int attempt = 0; attempt < 7; ++attempt) {
@@ -246,7 +247,7 @@ double bandwidth_of(std::size_t bytes, int threads) {
                 const std::size_t end =
                     count * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(threads);
                 for (int sweep = 0; sweep < sweeps; ++sweep)
-                    triad(a.data(), b.data(), c.data(), 0.5 + 1e-9 * sweep, begin, end);
+                    sweep_once(a.data(), b.data(), c.data(), 0.5 + 1e-9 * sweep, begin, end);
             }
         }
         const double traffic = 4.0 * sizeof(double) * static_cast<double>(count) * sweeps;

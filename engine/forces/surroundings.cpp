@@ -60,7 +60,8 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     return p;
 }
 
-Surroundings::Surroundings(const Scene& scene) : parameters_(surroundings_parameters(scene)) {
+Surroundings::Surroundings(const Scene& scene, Level level)
+    : level_(level), parameters_(surroundings_parameters(scene)) {
     if (!scene.well) return;
     well_ = &*scene.well;
     nodes_ = scene.mesh.node.size();
@@ -166,8 +167,8 @@ bool Surroundings::changes(const Table<WallRow>& wall, std::size_t block) const 
 
 void Surroundings::advance_springs(Table<WallRow>& wall, double dt, std::size_t block) const {
     const auto advance = parameters_.friction.law == FrictionLaw::paper
-                             ? advance_springs_of_block<FrictionLaw::paper>
-                             : advance_springs_of_block<FrictionLaw::coulomb>;
+                             ? at_level<advance_springs_of_block<FrictionLaw::paper>>(level_)
+                             : at_level<advance_springs_of_block<FrictionLaw::coulomb>>(level_);
     advance(*this, wall, dt, block * block_size);
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/contact.hpp"
 #include "forces/well_frame.hpp"
@@ -47,7 +48,7 @@ class Surroundings {
     };
 
     /// Empty without a well.
-    explicit Surroundings(const Scene& scene);
+    explicit Surroundings(const Scene& scene, Level level = {});
 
     [[nodiscard]] bool empty() const { return well_ == nullptr; }
     [[nodiscard]] const double* row(Row row) const { return constants_.row(row); }
@@ -94,6 +95,7 @@ class Surroundings {
     }
     void enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t arc) const;
 
+    Level level_;
     const Well* well_ = nullptr;
     std::size_t nodes_ = 0;
     SurroundingsParameters parameters_;

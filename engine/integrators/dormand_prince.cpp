@@ -85,8 +85,9 @@ double mean_over_stages(const Power& power) {
 
 }  // namespace
 
-DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads)
-    : string_(scene),
+DormandPrince::DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads,
+                             Level level)
+    : string_(scene, level),
       tolerances_(tolerances),
       state_(initial_state(string_)),
       work_(string_.model.segments + 1),
@@ -206,12 +207,13 @@ void DormandPrince::run(Worker& worker, double end, std::int64_t max_steps) {
 void DormandPrince::combine(Worker& worker, std::size_t stage, double step) {
     const std::size_t first = worker.begin * block_size;
     const std::size_t count = (worker.end - worker.begin) * block_size;
+    const auto sum = at_level<stage_state>(string_.model.level);
     for (std::size_t line = 0; line < Table<StrandRow>::lines; ++line) {
         std::array<const double*, 7> k{};
         for (std::size_t i = 0; i < stages; ++i)
             k[i] = worker.rate[i]->line(line) + first;
-        stage_state(stage, worker.trial->line(line) + first, worker.rod->line(line) + first, k,
-                    step, count);
+        sum(stage, worker.trial->line(line) + first, worker.rod->line(line) + first, k, step,
+            count);
     }
     if (string_.head.is_driven()) {
         if (owns_head(worker))
@@ -272,6 +274,7 @@ void DormandPrince::load_ends(const Worker& worker, std::size_t stage, double ti
 
 /// Sum over all entries of the squares of the scaled errors.
 double DormandPrince::error_estimate(const Worker& worker, double step) {
+    const auto error_of = at_level<block_error>(string_.model.level);
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
         const std::size_t first = block * block_size;
         double sum = 0.0;
@@ -279,7 +282,7 @@ double DormandPrince::error_estimate(const Worker& worker, double step) {
             std::array<const double*, 7> k{};
             for (std::size_t i = 0; i < stages; ++i)
                 k[i] = worker.rate[i]->line(line) + first;
-            sum += block_error(k, worker.rod->line(line) + first, step, tolerances_);
+            sum += error_of(k, worker.rod->line(line) + first, step, tolerances_);
         }
         block_error_[block] = sum;
     }

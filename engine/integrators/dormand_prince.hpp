@@ -16,7 +16,7 @@ namespace drillstrand {
 
 class DormandPrince final : public Integrator {
   public:
-    DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads);
+    DormandPrince(const Scene& scene, const Tolerances& tolerances, int threads, Level level = {});
 
     void advance(double end, std::int64_t max_steps) override;
     [[nodiscard]] double time() const override { return state_.clock.time; }

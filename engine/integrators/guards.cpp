@@ -99,8 +99,8 @@ BlockReadings readings(const DirectorModel& model, const BlockTable& limits,
     BlockReadings all;
     all.first = block * block_size;
     all.count = std::min(block_size, model.segments - std::min(model.segments, all.first));
-    read_guards(model.constants, limits, rod, segments, block, all.cosine, all.yield2,
-                all.coarseness);
+    at_level<read_guards>(model.level)(model.constants, limits, rod, segments, block, all.cosine,
+                                       all.yield2, all.coarseness);
     return all;
 }
 

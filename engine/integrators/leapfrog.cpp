@@ -28,8 +28,8 @@ double wall_time() {
 }  // namespace
 
 Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit,
-                   int threads)
-    : string_(scene),
+                   int threads, Level level)
+    : string_(scene, level),
       guards_(scene, string_.model, stress_limit),
       time_error_(tolerance, negligible_energy(scene)),
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),

@@ -20,7 +20,8 @@ namespace drillstrand {
 class Leapfrog final : public Integrator {
   public:
     /// `tolerance`, `stress_limit`: as in IntegratorOptions.
-    Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit, int threads);
+    Leapfrog(const Scene& scene, double cfl, double tolerance, double stress_limit, int threads,
+             Level level = {});
 
     void advance(double end, std::int64_t max_steps) override;
     [[nodiscard]] double time() const override { return state_.clock.time; }

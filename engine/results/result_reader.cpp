@@ -28,6 +28,7 @@ void read_attributes(const H5::Group& root, Result& result) {
     hdf5::read_attribute(root, "integrator", result.header.integrator);
     hdf5::read_attribute(root, "threads", threads);
     result.header.threads = static_cast<int>(threads);
+    if (root.attrExists("isa")) hdf5::read_attribute(root, "isa", result.header.isa);
     hdf5::read_attribute(root, "status", footer.status);
     hdf5::read_attribute(root, "wall_seconds", footer.wall_seconds);
     hdf5::read_attribute(root, "steps", footer.statistics.steps);

@@ -126,6 +126,7 @@ H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
     hdf5::write_origin(root, header);
     hdf5::write_attribute(root, "integrator", header.integrator);
     hdf5::write_attribute(root, "threads", std::int64_t{header.threads});
+    hdf5::write_attribute(root, "isa", header.isa);
     hdf5::write_mesh(file, "", header);
     hdf5::write_scene(file, header);
     return file;

@@ -52,9 +52,10 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         table_.row(mobile_cell)[k] = 0.0;
 }
 
-DirectorModel::DirectorModel(const Scene& scene)
+DirectorModel::DirectorModel(const Scene& scene, Level its_level)
     : constants(scene),
-      surroundings(scene),
+      surroundings(scene, its_level),
+      level(its_level),
       scene_features(scene.features),
       internal_damping(scene.damping.internal),
       external_damping(scene.damping.external),
@@ -694,16 +695,18 @@ auto with_features(const DirectorFeatures& features, const Use& use) {
 }
 
 SegmentKernel segment_kernel(const DirectorModel& model) {
-    return with_features(model.features, [](auto damping, auto curved) -> SegmentKernel {
-        return segments_of_span<damping(), curved()>;
-    });
+    return with_features(model.features,
+                         [level = model.level](auto damping, auto curved) -> SegmentKernel {
+                             return at_level<segments_of_span<damping(), curved()>>(level);
+                         });
 }
 
 template <Around around, FrictionLaw law>
 NodeKernel node_kernel_around(const DirectorModel& model) {
-    return with_features(model.features, [](auto damping, auto curved) -> NodeKernel {
-        return nodes_of_span<around, law, damping(), curved()>;
-    });
+    return with_features(
+        model.features, [level = model.level](auto damping, auto curved) -> NodeKernel {
+            return at_level<nodes_of_span<around, law, damping(), curved()>>(level);
+        });
 }
 
 NodeKernel node_kernel(const DirectorModel& model) {

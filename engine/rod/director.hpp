@@ -9,6 +9,7 @@
 
 #include <cstddef>
 
+#include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
 #include "numerics/block_table.hpp"
@@ -98,6 +99,7 @@ struct DirectorFeatures {
 struct DirectorModel {
     DirectorConstants constants;
     Surroundings surroundings;
+    Level level;
     SceneFeatures scene_features;
     DirectorFeatures features;
     double internal_damping = 0;  ///< D_in
@@ -106,7 +108,7 @@ struct DirectorModel {
     Eigen::Vector3d down{0, 0, 1};
     std::size_t segments = 0;
 
-    explicit DirectorModel(const Scene& scene);
+    explicit DirectorModel(const Scene& scene, Level level = {});
 };
 
 /// Stresses of the segments of a span at a whole step. `drift` is the time since the step

@@ -10,9 +10,9 @@
 
 namespace drillstrand {
 
-DirectorString::DirectorString(const Scene& scene_of_run)
+DirectorString::DirectorString(const Scene& scene_of_run, Level level)
     : scene(scene_of_run),
-      model(scene),
+      model(scene, level),
       head(scene),
       bit(scene),
       spans(equal_spans(blocks_for(model.segments + 1))) {}

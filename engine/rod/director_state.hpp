@@ -14,7 +14,7 @@ namespace drillstrand {
 /// The director rod, its surroundings and its ends: all that never changes in a run. The scene must
 /// outlive it.
 struct DirectorString {
-    explicit DirectorString(const Scene& scene);
+    explicit DirectorString(const Scene& scene, Level level = {});
 
     const Scene& scene;
     DirectorModel model;

@@ -50,9 +50,10 @@ StrandConstants::StrandConstants(const Scene& scene)
     if (scene.head.motion == HeadMotion::driven) table_.row(mobile_cell)[0] = 0.0;
 }
 
-StrandModel::StrandModel(const Scene& scene)
+StrandModel::StrandModel(const Scene& scene, Level its_level)
     : constants(scene),
-      surroundings(scene),
+      surroundings(scene, its_level),
+      level(its_level),
       features(scene.features),
       internal_damping(scene.damping.internal),
       external_damping(scene.damping.external),
@@ -446,15 +447,16 @@ using NodeKernel = double (*)(const StrandModel&, const Table<StrandRow>&, Table
                               const Table<Work>&, const Pose&, Table<WallRow>&, std::size_t);
 
 template <bool with_damping>
-NodeKernel node_kernel_damped(const SceneFeatures& features) {
-    if (!features.well) return nodes_of_block<false, false, with_damping>;
-    return features.drag ? nodes_of_block<true, true, with_damping>
-                         : nodes_of_block<true, false, with_damping>;
+NodeKernel node_kernel_damped(const StrandModel& model) {
+    if (!model.features.well)
+        return at_level<nodes_of_block<false, false, with_damping>>(model.level);
+    return model.features.drag ? at_level<nodes_of_block<true, true, with_damping>>(model.level)
+                               : at_level<nodes_of_block<true, false, with_damping>>(model.level);
 }
 
-NodeKernel node_kernel(const SceneFeatures& features) {
-    return features.damping ? node_kernel_damped<true>(features)
-                            : node_kernel_damped<false>(features);
+NodeKernel node_kernel(const StrandModel& model) {
+    return model.features.damping ? node_kernel_damped<true>(model)
+                                  : node_kernel_damped<false>(model);
 }
 
 Eigen::Matrix3d rotation_of(const SegmentPose& step) {
@@ -465,10 +467,12 @@ Eigen::Matrix3d rotation_of(const SegmentPose& step) {
 
 void segment_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
                   StrandWorkspace& work, std::size_t begin, std::size_t end) {
+    const auto segments = at_level<segments_of_block>(model.level);
+    const auto chain = at_level<chain_segments_of_block>(model.level);
     alignas(block_alignment) double step[12][block_size];
     for (std::size_t block = begin; block < end; ++block) {
-        work.segment_power[block] = segments_of_block(model, state, rate, work.table, block, step);
-        chain_segments_of_block(step, work.table, block, work.block_step[block]);
+        work.segment_power[block] = segments(model, state, rate, work.table, block, step);
+        chain(step, work.table, block, work.block_step[block]);
     }
 }
 
@@ -504,7 +508,7 @@ void chain_blocks(const Pose& head, const StrandWorkspace& work, std::vector<Pos
 void node_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
                StrandWorkspace& work, const std::vector<Pose>& block_start, Table<WallRow>& wall,
                std::size_t begin, std::size_t end) {
-    const NodeKernel kernel = node_kernel(model.features);
+    const NodeKernel kernel = node_kernel(model);
     for (std::size_t block = begin; block < end; ++block) {
         work.power[block] = work.segment_power[block] +
                             kernel(model, state, rate, work.table, block_start[block], wall, block);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
 #include "numerics/block_table.hpp"
@@ -83,6 +84,7 @@ struct StrandWorkspace {
 struct StrandModel {
     StrandConstants constants;
     Surroundings surroundings;
+    Level level;
     SceneFeatures features;
     double internal_damping = 0;  ///< D_in
     double external_damping = 0;  ///< D_ex
@@ -90,7 +92,7 @@ struct StrandModel {
     Eigen::Vector3d down{0, 0, 1};
     std::size_t segments = 0;
 
-    explicit StrandModel(const Scene& scene);
+    explicit StrandModel(const Scene& scene, Level level = {});
 };
 
 /// Stress rates of the segments of blocks begin..end-1, their wrenches and block-local poses.

@@ -11,8 +11,8 @@ namespace drillstrand {
 
 using Eigen::Vector3d;
 
-StrandString::StrandString(const Scene& scene_of_run)
-    : scene(scene_of_run), model(scene), head(scene), bit(scene) {}
+StrandString::StrandString(const Scene& scene_of_run, Level level)
+    : scene(scene_of_run), model(scene, level), head(scene), bit(scene) {}
 
 namespace {
 

@@ -15,7 +15,7 @@ namespace drillstrand {
 /// The strand, its surroundings and its ends: all that never changes in a run. The scene must
 /// outlive it.
 struct StrandString {
-    explicit StrandString(const Scene& scene);
+    explicit StrandString(const Scene& scene, Level level = {});
 
     const Scene& scene;
     StrandModel model;

@@ -35,16 +35,19 @@ IntegratorOptions integrator_options(const RunCase& run) {
 }
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const IntegratorOptions& options) {
+    if (options.isa > best_isa())
+        throw std::invalid_argument("make_integrator: no kernels for this instruction set");
     const auto blocks = static_cast<int>(blocks_for(static_cast<std::size_t>(scene.segments) + 1));
     const int threads = options.threads > 0 ? std::min(options.threads, blocks)
                                             : automatic_threads(options.kind, blocks);
     switch (options.kind) {
         case IntegratorKind::dormand_prince:
             return std::make_unique<DormandPrince>(
-                scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads);
+                scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads,
+                Level{options.isa});
         case IntegratorKind::leapfrog:
             return std::make_unique<Leapfrog>(scene, options.cfl, options.tolerance,
-                                              options.stress_limit, threads);
+                                              options.stress_limit, threads, Level{options.isa});
     }
     throw std::invalid_argument("make_integrator: no such integrator");
 }

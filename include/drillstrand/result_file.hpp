@@ -19,7 +19,8 @@ struct ResultHeader {
     std::string case_text;   ///< the TOML as read, overrides applied
     std::string integrator;  ///< as in the case file
     int threads = 1;
-    std::vector<double> node_s;     ///< N+1 (m)
+    std::string isa;             ///< of the kernels, as isa_name(); empty where a file does not say
+    std::vector<double> node_s;  ///< N+1 (m)
     std::vector<double> segment_s;  ///< N (m)
 
     // The string, for pictures and other programs. Empty where a file does not say.
@@ -37,7 +38,7 @@ struct ResultHeader {
 
 struct Scene;
 
-/// What a result file of this case says; `threads` is left to the caller.
+/// What a result file of this case says; `threads` and `isa` are left to the caller.
 ResultHeader result_header(const Case& input, const Scene& scene);
 
 /// How a run ended, or how far it has come; becomes root attributes.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drillstrand/case.hpp"
+#include "drillstrand/isa.hpp"
 #include "drillstrand/records.hpp"
 #include "drillstrand/saved_state.hpp"
 #include "drillstrand/scene.hpp"
@@ -56,6 +57,7 @@ struct IntegratorOptions {
     double tolerance = 0;     ///< time error for which the leapfrog shortens its steps; 0: none
     int threads = 1;          ///< 0: as many as the string gives work, up to all cores
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
+    Isa isa = best_isa();     ///< of the kernels, at most best_isa()
 };
 
 IntegratorOptions integrator_options(const RunCase& run);

@@ -17,6 +17,7 @@
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/isa.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/version.hpp"
 #include "results/made_up_run.hpp"
@@ -186,14 +187,31 @@ TEST_F(Program, ARunWritesItsResultInTheWorkingDirectory) {
 }
 
 TEST_F(Program, OptionsOfARunReachTheResult) {
-    const Ending ending = run({"run", "pipe.toml", "-o", "swing.h5", "--threads", "2", "--set",
-                               "run.duration=0.002", "--set", "mesh.segments=4", "--quiet"});
+    const Ending ending =
+        run({"run", "pipe.toml", "-o", "swing.h5", "--threads", "2", "--isa", "baseline", "--set",
+             "run.duration=0.002", "--set", "mesh.segments=4", "--quiet"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(files(), ElementsAre("pipe.toml", "swing.h5"));
     const Result result = read_result(desk() / "swing.h5");
     EXPECT_EQ(result.header.threads, 2);
+    EXPECT_EQ(result.header.isa, "baseline");
     EXPECT_EQ(result.header.segment_s.size(), 4U);
     EXPECT_EQ(result.series.back().time, 0.002);
+}
+
+TEST_F(Program, ARunUsesTheBestInstructionSetAndSaysSo) {
+    ASSERT_EQ(run({"run", "pipe.toml", "--quiet"}).code, 0);
+    EXPECT_EQ(read_result(desk() / "pipe.h5").header.isa, isa_name(best_isa()));
+    EXPECT_THAT(run({"info", "pipe.h5"}).out,
+                HasSubstr("instruction set  " + isa_name(best_isa()) + "\n"));
+}
+
+TEST_F(Program, AnInstructionSetThatTheMachineLacksIsRefused) {
+    if (best_isa() == Isa::avx512) GTEST_SKIP() << "this machine has them all";
+    const Ending ending = run({"run", "pipe.toml", "--isa", "avx512"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, is_one_error("goes up to " + isa_name(best_isa())));
+    EXPECT_THAT(files(), ElementsAre("pipe.toml"));
 }
 
 TEST_F(Program, CheckPrintsTheSceneAndWritesNothing) {
@@ -378,6 +396,7 @@ TEST_F(Program, AMistypedCommandLineIsOneLine) {
         {{"run", "pipe.toml", "--fast"}, "--fast"},
         {{"run", "pipe.toml", "--threads", "many"}, "many"},
         {{"run", "pipe.toml", "--threads", "-2"}, "-2"},
+        {{"run", "pipe.toml", "--isa", "sse9"}, "sse9"},
         {{"run", "pipe.toml", "--set", "run.duration"}, "key.path=value"},
         {{"info"}, "OUT.h5"}};
     for (const auto& [arguments, words] : mistakes) {

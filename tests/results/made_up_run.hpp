@@ -28,6 +28,7 @@ class MadeUpRun {
         header.case_text = "title = \"Pozzo\"\n" + std::string(100000, '#') + "\n";
         header.integrator = "dormand-prince";
         header.threads = 3;
+        header.isa = "avx2";
         fill(header, mesh_datasets());
         for (auto* places : {&header.node_s, &header.segment_s})
             std::sort(places->begin(), places->end());

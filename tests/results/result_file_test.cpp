@@ -78,6 +78,7 @@ TEST(ResultFile, EveryDatasetComesBackBitForBit) {
     EXPECT_EQ(result.header.case_text, header.case_text);
     EXPECT_EQ(result.header.integrator, header.integrator);
     EXPECT_EQ(result.header.threads, header.threads);
+    EXPECT_EQ(result.header.isa, header.isa);
     EXPECT_EQ(result.version, version());
     EXPECT_EQ(result.commit, commit());
     EXPECT_EQ(result.footer.status, "complete");

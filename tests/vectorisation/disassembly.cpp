@@ -53,9 +53,12 @@ void count(const std::string& text, VectorUse& use) {
 
 Kernels read_kernels(const std::string& objdump, const std::string& objects) {
     static const std::regex file("(?:.*/)?(\\w+)\\.[^/]*: +file format .*");
-    // 0000 <drillstrand::(anonymous namespace)::NAME(ARGUMENTS) [clone .VERSION]>:
-    // the first name before a bracket: return type and namespaces are followed by something else
-    static const std::regex version("[^>]*?(\\w+)[(<].*\\[clone \\.(arch_\\w+|default)\\]>:");
+    // 0000 <RETURN drillstrand::Versions<&NAMESPACE::NAME>::LEVEL(ARGUMENTS)>:
+    // or, of a template, ...Versions<&(RETURN NAMESPACE::NAME<...>(ARGUMENTS))>::LEVEL...
+    static const std::regex version(
+        ".*\\bVersions<&\\(?(?:[\\w:]+ )?(?:\\w+::|\\(anonymous "
+        "namespace\\)::)*(\\w+)(?:[(<].*)?>::"
+        "(baseline|avx2|avx512)\\(.*>:");
     Kernels kernels;
     std::string stem;
     VectorUse* use = nullptr;

@@ -24,7 +24,7 @@ struct VectorUse {
 
 /// One of the functions that the compiler makes of a kernel.
 struct KernelVersion {
-    std::string instruction_set;  ///< "arch_x86_64_v4", "arch_x86_64_v3" or "default"
+    std::string instruction_set;  ///< as isa_name()
     std::string function;         ///< with the arguments of its template
     VectorUse use;
 };

@@ -12,4 +12,6 @@ DRILLSTRAND_KERNEL void sequential_kernel(double* x, double a) {
         x[k] = x[k] / (x[k - 1] + a) - a * x[k - 1];
 }
 
+template struct Versions<sequential_kernel>;
+
 }  // namespace drillstrand

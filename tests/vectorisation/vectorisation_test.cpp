@@ -16,8 +16,7 @@ using testing::ContainerEq;
 using testing::Ge;
 
 // Entries of a register of each version of a kernel.
-const std::map<std::string, int> register_entries = {
-    {"arch_x86_64_v4", 8}, {"arch_x86_64_v3", 4}, {"default", 2}};
+const std::map<std::string, int> register_entries = {{"avx512", 8}, {"avx2", 4}, {"baseline", 2}};
 
 // Arithmetic of a loop's head, tail and reduction may be scalar; 85 % of a kernel is in the loop.
 constexpr double loop_share = 0.85;
@@ -26,6 +25,7 @@ struct Kernel {
     std::string name;                 ///< its source file and function
     int widest = 8;                   ///< entries that its loop can use at once
     double least_share = loop_share;  ///< of packed arithmetic
+    std::size_t instances = 1;        ///< of its template
 };
 
 void PrintTo(const Kernel& kernel, std::ostream* stream) {
@@ -35,16 +35,10 @@ void PrintTo(const Kernel& kernel, std::ostream* stream) {
 const std::vector<Kernel> kernels = {
     {"strand: segments_of_block"},
     {"strand: chain_segments_of_block", 4},  // three rows of a rotation and an idle one
-    {"strand: free_nodes"},
-    {"strand: damped_nodes"},
-    {"strand: nodes_in_well"},
-    {"strand: damped_nodes_in_well"},
-    {"strand: nodes_in_mud"},
-    {"strand: damped_nodes_in_mud"},
-    {"director: segments_of_span"},
-    {"director: nodes_of_span"},
-    {"surroundings: advance_coulomb_springs"},
-    {"surroundings: advance_paper_springs"},
+    {"strand: nodes_of_block", 8, loop_share, 6},
+    {"director: segments_of_span", 8, loop_share, 6},
+    {"director: nodes_of_span", 8, loop_share, 30},
+    {"surroundings: advance_springs_of_block", 8, loop_share, 2},
     {"dormand_prince: block_error"},
     {"dormand_prince: stage_state", 8, 0.7},  // six scalar tails: its count is not a constant
     {"guards: read_guards"},
@@ -90,6 +84,7 @@ TEST_P(Vectorisation, KeepsTheKernelInVectorRegisters) {
     const Kernel kernel = GetParam();
     const auto versions = read_kernels(OBJDUMP, KERNEL_OBJECTS)[kernel.name];
     EXPECT_THAT(instruction_sets(versions), ContainerEq(instruction_sets()));
+    EXPECT_EQ(versions.size(), kernel.instances * register_entries.size());
     for (const KernelVersion& version : versions) {
         SCOPED_TRACE(version.function);
         const VectorUse& use = version.use;

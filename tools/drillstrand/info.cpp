@@ -42,6 +42,7 @@ void print_run(const Result& result) {
     print_maker(result.version, result.commit);
     fmt::print("  integrator       {}, {} thread{}\n", printable(result.header.integrator),
                result.header.threads, result.header.threads == 1 ? "" : "s");
+    if (!result.header.isa.empty()) fmt::print("  instruction set  {}\n", result.header.isa);
     fmt::print("  wall time        {}\n", duration_text(footer.wall_seconds));
     fmt::print("  steps            {} accepted, {} rejected, of {:.3g} to {:.3g} s\n",
                statistics.steps, statistics.rejected, statistics.smallest_step,

@@ -94,6 +94,9 @@ class CommandLine {
         run_->add_option("--threads", threads_, "Threads to use; 0: all cores")
             ->check(CLI::Range(0, 4096))
             ->type_name("N");
+        run_->add_option("--isa", isa_, "Instruction set of the kernels; default: the best one")
+            ->check(CLI::IsMember({"baseline", "avx2", "avx512"}))
+            ->type_name("baseline|avx2|avx512");
         add_overrides(*run_);
         run_->add_flag("--quiet", quiet_, "No progress on the error stream");
         run_->add_option("--restart", restart_)->group("");  // not shown: not available yet
@@ -200,6 +203,7 @@ class CommandLine {
         options.case_path = case_path_;
         options.output = output_;
         options.threads = threads_;
+        options.isa = isa_;
         options.overrides = parse_overrides(overrides_);
         options.quiet = quiet_;
         return run(options);
@@ -258,6 +262,7 @@ class CommandLine {
     std::string offset_;
     std::string restart_;
     int threads_ = -1;
+    std::string isa_;
     int modes_ = 6;
     std::string tip_weight_ = "half";
     std::vector<std::string> overrides_;

@@ -8,6 +8,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/energy_audit.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/isa.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
@@ -30,9 +31,21 @@ fs::path choose_output(const RunOptions& options) {
     return checked_output(output, options.case_path);
 }
 
-ResultHeader run_header(const Case& input, const Scene& scene, int threads) {
+/// As asked, or the best one.
+Isa choose_isa(const std::string& name) {
+    if (name.empty()) return best_isa();
+    const Isa isa = isa_from_name(name).value();
+    if (isa > best_isa())
+        throw UsageError(fmt::format(
+            "--isa {}: this machine or build goes up to {}; ask for that or less, or leave it out",
+            name, isa_name(best_isa())));
+    return isa;
+}
+
+ResultHeader run_header(const Case& input, const Scene& scene, int threads, Isa isa) {
     ResultHeader header = result_header(input, scene);
     header.threads = threads;
+    header.isa = isa_name(isa);
     return header;
 }
 
@@ -131,16 +144,20 @@ int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::
 }  // namespace
 
 int run(const RunOptions& options) {
+    const Isa isa = choose_isa(options.isa);
     const fs::path output = choose_output(options);
     Case input = read_case(options.case_path, options.overrides);
     if (options.threads >= 0) input.run.threads = options.threads;
     const Scene scene = starting_scene(input);
-    const auto integrator = make_integrator(scene, integrator_options(input.run));
+    IntegratorOptions integration = integrator_options(input.run);
+    integration.isa = isa;
+    const auto integrator = make_integrator(scene, integration);
 
     // as asked, or as chosen
     const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
     watch_signals();
-    Recorder recorder(output, run_header(input, scene, threads), input.run.duration, options.quiet);
+    Recorder recorder(output, run_header(input, scene, threads, isa), input.run.duration,
+                      options.quiet);
     try {
         const RunSchedule schedule{input.run.duration, input.output.interval,
                                    input.output.profile_interval};
