@@ -145,6 +145,17 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
                                        "rotation rate of the first node about d3"),
         series<&R::bit_rotation_rate>("/series/bit_rotation_rate", "rad/s",
                                       "rotation rate of the last node about d3"),
+        series<&R::hook_load>("/series/hook_load", "N",
+                              "force along the well that holds the head: the pull of the first "
+                              "segment and the buoyed weight of the head's own half cell"),
+        series<&R::surface_torque>("/series/surface_torque", "N m",
+                                   "couple about d3 of the drive on the head, positive where it "
+                                   "drives a positive rotation"),
+        series<&R::weight_on_bit>("/series/weight_on_bit", "N",
+                                  "compressive force of the rock on the bit"),
+        series<&R::bit_torque>("/series/bit_torque", "N m",
+                               "torque of the rock on the bit, positive against a positive "
+                               "rotation"),
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
         series<&R::energy, &E::elastic>("/series/elastic_energy", "J",
                                         "strain energy of the rod and of the contact springs"),

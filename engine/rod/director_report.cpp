@@ -125,6 +125,16 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.bit_position = position.back();
     record.head_rotation_rate = at.rod.row(DirectorRow::spin)[0];
     record.bit_rotation_rate = at.rod.row(DirectorRow::spin)[last];
+    const double time = state.clock.time;
+    record.hook_load = string.head.hook_load(
+        at.segments.vector(SegmentRow::pull, 0) + at.segments.vector(SegmentRow::viscous_pull, 0),
+        time);
+    record.surface_torque = string.head.surface_torque(
+        at.segments.row(SegmentRow::torque)[0] + at.segments.row(SegmentRow::viscous_torque)[0],
+        time);
+    record.weight_on_bit = string.bit.loads().weight(time);
+    record.bit_torque = string.bit.torque(
+        string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]), time);
     record.step_size = state.clock.last_step;
     record.time_error = state.time_error.latest;
 

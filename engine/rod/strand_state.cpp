@@ -1,5 +1,6 @@
 #include "rod/strand_state.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,6 +40,23 @@ std::vector<Pose> poses(const StrandString& string, const StrandState& state) {
     }
     return poses_from_strains(string.head.pose(state.head, state.clock.time),
                               string.scene.mesh.length, strain);
+}
+
+/// Wrench of the first segment on the head in body axes: S + h/2 (k x m + g x n, k x n),
+/// Kelvin-Voigt stress included (paper eq. 5).
+Vector6 first_wrench(const StrandString& string, const StrandState& state) {
+    const SectionProperties& section = string.scene.mesh.segment.front();
+    const Vector6 stress = stress_of(state.rod, 0);
+    const Vector6 strain =
+        stress.cwiseQuotient(stiffness_of(section)) + stress_free_strain(section);
+    const Vector6 acting = stress + string.model.kelvin_voigt * stress_of(state.rate, 0);
+    const Vector3d k = strain.head<3>();
+    const Vector3d g = strain.tail<3>();
+    const Vector3d m = acting.head<3>();
+    const Vector3d n = acting.tail<3>();
+    Vector6 arm;
+    arm << k.cross(m) + g.cross(n), k.cross(n);
+    return acting + 0.5 * string.scene.mesh.length.front() * arm;
 }
 
 }  // namespace
@@ -134,6 +152,14 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     record.bit_position = position.back();
     record.head_rotation_rate = velocity_of(scene, state.rod, 0)[0];
     record.bit_rotation_rate = velocity_of(scene, state.rod, last)[0];
+    const double time = state.clock.time;
+    const Vector6 on_head = first_wrench(string, state);
+    const Eigen::Matrix3d frame = string.head.pose(state.head, time).frame;
+    record.hook_load = string.head.hook_load(frame * on_head.tail<3>(), time);
+    record.surface_torque = string.head.surface_torque(on_head[0], time);
+    record.weight_on_bit = string.bit.loads().weight(time);
+    record.bit_torque =
+        string.bit.torque(string.head.opposed_rate(time, record.bit_rotation_rate), time);
     record.step_size = state.clock.last_step;
 
     EnergyAccount& energy = record.energy;

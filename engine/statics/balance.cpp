@@ -135,6 +135,14 @@ double Balance::surface_torque(const RodState& state) const {
     return head_.surface_torque(couple.dot(state.director.front()), loads_.bit.time);
 }
 
+double Balance::weight_on_bit() const {
+    return loads_.bit.factor * bit_.loads().weight(loads_.bit.time);
+}
+
+double Balance::bit_torque() const {
+    return loads_.bit.factor * bit_.torque(loads_.bit.rotation_rate, loads_.bit.time);
+}
+
 std::vector<WallReport> Balance::walls(const RodState& state) {
     std::vector<WallReport> report(state.position.size(), {Vector3d::Zero(), 0});
     if (!scene_.well) return report;

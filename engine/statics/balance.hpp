@@ -60,6 +60,9 @@ class Balance {
     /// What holds and turns the head (Head::hook_load, Head::surface_torque).
     [[nodiscard]] double hook_load(const RodState& state) const;
     [[nodiscard]] double surface_torque(const RodState& state) const;
+    /// What the rock does to the bit, as SeriesRecord has it.
+    [[nodiscard]] double weight_on_bit() const;
+    [[nodiscard]] double bit_torque() const;
     [[nodiscard]] std::vector<WallReport> walls(const RodState& state);
 
   private:

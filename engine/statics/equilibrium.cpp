@@ -77,8 +77,12 @@ Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& optio
     Equilibrium result;
     result.nodes = search.state().nodes();
     report(scene, search, result);
+    result.series.weight_on_bit = search.balance().weight_on_bit();
+    result.series.bit_torque = search.balance().bit_torque();
     result.hook_load = search.balance().hook_load(search.state());
     result.surface_torque = search.balance().surface_torque(search.state());
+    result.series.hook_load = result.hook_load;
+    result.series.surface_torque = result.surface_torque;
     const Vector6 on_bit = search.balance().bit(search.state()).load;
     result.bit_force = on_bit.head<3>();
     result.bit_couple = on_bit.tail<3>();

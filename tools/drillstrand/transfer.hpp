@@ -185,9 +185,10 @@ void transfer(Pipe& pipe, std::optional<WellCase>& well) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, ResultHeader& header) {
-    auto& [title, case_text, integrator, threads, node_s, segment_s, mass, weight, outer_radius,
-           polar_inertia, metal_area, yield_tension, yield_bending, yield_torque, well] = header;
-    transfer_all(pipe, title, case_text, integrator, threads, node_s, segment_s, mass, weight,
+    auto& [title, case_text, integrator, threads, isa, node_s, segment_s, mass, weight,
+           outer_radius, polar_inertia, metal_area, yield_tension, yield_bending, yield_torque,
+           well] = header;
+    transfer_all(pipe, title, case_text, integrator, threads, isa, node_s, segment_s, mass, weight,
                  outer_radius, polar_inertia, metal_area, yield_tension, yield_bending,
                  yield_torque, well);
 }
