@@ -15,7 +15,7 @@
 
 #include "forces/surroundings.hpp"
 #include "forces/well_frame.hpp"
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 #include "rod/report.hpp"
 #include "rod/strand_state.hpp"
 

@@ -15,7 +15,7 @@
 #include "forces/surroundings.hpp"
 #include "forces/well_frame.hpp"
 #include "integrators/step_control.hpp"
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 
 namespace drillstrand::bench {
 

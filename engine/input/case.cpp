@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "drillstrand/drill_string.hpp"
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
 

@@ -13,6 +13,13 @@ constexpr int most_segments = 10'000'000;
 
 }  // namespace
 
+double total_length(const StringCase& string) {
+    double length = 0;
+    for (const Component& component : string.components)
+        length += component.length;
+    return length;
+}
+
 StringInput read_string(const Table& root, const std::filesystem::path& folder) {
     const Value value = root.require("string", "a table of at least one [[string.component]]");
     const Table table(value, {"shear_coefficient", "component", "components"});

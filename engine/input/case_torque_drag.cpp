@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "input/case_sections.hpp"
 
@@ -110,6 +111,22 @@ TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>
     if (const std::optional<Value> friction = table.find("friction"))
         torque_drag.friction = read_friction(*friction);
     return torque_drag;
+}
+
+std::string motion_name(TorqueDragMotion motion) {
+    switch (motion) {
+        case TorqueDragMotion::tripping_in:
+            return "tripping_in";
+        case TorqueDragMotion::tripping_out:
+            return "tripping_out";
+        case TorqueDragMotion::rotating:
+            return "rotating";
+        case TorqueDragMotion::drilling:
+            return "drilling";
+        case TorqueDragMotion::sliding:
+            return "sliding";
+    }
+    throw std::invalid_argument("motion_name: no such motion");
 }
 
 }  // namespace drillstrand

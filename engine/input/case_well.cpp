@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "drillstrand/drill_string.hpp"
 #include "input/case_sections.hpp"
 #include "input/survey.hpp"
 #include "input/wording.hpp"

@@ -118,13 +118,6 @@ double radius_at(const Stretches& stretches, double s) {
 
 }  // namespace
 
-double total_length(const StringCase& string) {
-    double length = 0;
-    for (const Component& component : string.components)
-        length += component.length;
-    return length;
-}
-
 StringMesh mesh_string(const StringCase& string, int segments) {
     const Stretches stretches = stretches_of(string);
     const double total = stretches.boundary.back();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 
 namespace drillstrand {
 

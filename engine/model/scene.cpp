@@ -89,6 +89,7 @@ Scene build_scene(const Case& input) {
     scene.features = features_of(input);
     scene.fluid = input.fluid;
     scene.contact = input.contact;
+    scene.side_force_window = input.output.side_force_window;
     scene.damping = input.damping;
     scene.head = input.head;
     scene.bit = input.bit;

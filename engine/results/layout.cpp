@@ -159,6 +159,8 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
         series<&R::energy, &E::elastic>("/series/elastic_energy", "J",
                                         "strain energy of the rod and of the contact springs"),
+        series<&R::energy, &E::springs>("/series/spring_energy", "J",
+                                        "energy of the contact springs, part of the strain energy"),
         series<&R::energy, &E::potential>("/series/potential_energy", "J",
                                           "potential energy of the buoyed weight, 0 at the start"),
         series<&R::energy, &E::work>("/series/work", "J",
@@ -175,6 +177,9 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
             "those of exact time steps, by step doubling; 0 with dormand-prince"),
         series<&R::max_penetration>("/series/max_penetration", "m",
                                     "largest penetration of the pipe into the wall"),
+        series<&R::relative_penetration>("/series/relative_penetration", "1",
+                                         "largest penetration of a node, divided by the clearance "
+                                         "that the pipe has there"),
         series<&R::contact_nodes>("/series/contact_nodes", "1", "number of nodes in contact"),
         series<&R::impacts>("/series/impacts", "1",
                             "nodes that came into contact since the start, counted at the ends of "
@@ -213,6 +218,9 @@ const std::vector<RecordDataset<Profile>>& profile_datasets() {
                                    "north, east, down"),
         profile<&P::normal_force>("/profiles/normal_force", Rows::nodes, "N/m",
                                   "normal force of the wall on the pipe per length, not negative"),
+        profile<&P::side_force>("/profiles/side_force", Rows::nodes, "N/m",
+                                "normal force of the wall per length, mean over the window "
+                                "output.side_force_window around the node"),
     };
     return table;
 }

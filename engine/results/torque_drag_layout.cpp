@@ -81,7 +81,9 @@ const std::vector<TorqueDragDataset>& torque_drag_profile_datasets() {
         along<&P::tension>("tension", "N", "axial force, buoyed; compression negative"),
         along<&P::torque>("torque", "N m",
                           "couple about the string that the part above exerts on the part below"),
-        along<&P::side_force>("side_force", "N/m", "normal force of the wall per length"),
+        along<&P::side_force>("side_force", "N/m",
+                              "normal force of the wall per length, mean over the window "
+                              "output.side_force_window around the middle of the segment"),
         along<&P::bending_stress>("bending_stress", "Pa", "bending stress at the outer fibre"),
         along<&P::von_mises_stress>("von_mises_stress", "Pa",
                                     "von Mises stress of axial force, bending and torsion at the "

@@ -171,7 +171,7 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         profile.director.emplace_back(at.frame[k].col(0));
         profile.momentum.push_back(momentum);
     }
-    report_wall(profile, string.model.surroundings, at.wall);
+    report_wall(string.scene, profile, string.model.surroundings, at.wall);
     return profile;
 }
 

@@ -6,9 +6,9 @@
 
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
+#include "model/pose.hpp"
 #include "rod/director.hpp"
 #include "rod/end.hpp"
-#include "rod/pose.hpp"
 #include "state/rows.hpp"
 
 namespace drillstrand {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drillstrand/side_force.hpp"
+
 namespace drillstrand {
 
 Vector6 stiffness_of(const SectionProperties& section) {
@@ -55,6 +57,7 @@ WallContact contact_with(const Scene& scene, const Surroundings& surroundings,
         if (c.penetration <= 0) continue;
         ++sum.nodes;
         sum.deepest = std::max(sum.deepest, c.penetration);
+        sum.relative = std::max(sum.relative, c.penetration / (c.eccentricity - c.penetration));
         sum.spring_energy += scene.mesh.cell[k] * c.spring_energy;
     }
     return sum;
@@ -63,6 +66,7 @@ WallContact contact_with(const Scene& scene, const Surroundings& surroundings,
 void account_for(SeriesRecord& record, const WallContact& contact, const Accounts& accounts,
                  const EnergyOrigin& origin) {
     EnergyAccount& energy = record.energy;
+    energy.springs = contact.spring_energy;
     energy.elastic += contact.spring_energy;
     energy.potential -= origin.potential;
     // what the surroundings took and the contact springs do not hold is gone
@@ -75,6 +79,7 @@ void account_for(SeriesRecord& record, const WallContact& contact, const Account
         slips += accounts.slips[i];
     }
     record.max_penetration = contact.deepest;
+    record.relative_penetration = contact.relative;
     record.contact_nodes = contact.nodes;
     record.impacts = std::llround(impacts);
     record.slips = std::llround(slips);
@@ -82,7 +87,8 @@ void account_for(SeriesRecord& record, const WallContact& contact, const Account
     record.contact_changes = 2 * record.impacts - record.contact_nodes;
 }
 
-void report_wall(Profile& profile, const Surroundings& surroundings, const Table<WallRow>& wall) {
+void report_wall(const Scene& scene, Profile& profile, const Surroundings& surroundings,
+                 const Table<WallRow>& wall) {
     for (std::size_t k = 0; k < profile.position.size(); ++k) {
         const NodeContact c = surroundings.contact(wall, k, profile.position[k]);
         profile.eccentricity.push_back(c.eccentricity);
@@ -90,6 +96,8 @@ void report_wall(Profile& profile, const Surroundings& surroundings, const Table
         profile.contact_force.push_back(c.force);
         profile.normal_force.push_back(std::max(c.normal_force, 0.0));
     }
+    profile.side_force = side_force(scene.mesh.node_s, profile.normal_force,
+                                    scene.side_force_window, scene.mesh.node_s);
 }
 
 }  // namespace drillstrand

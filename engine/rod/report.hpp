@@ -28,6 +28,7 @@ double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& 
 struct WallContact {
     std::int64_t nodes = 0;
     double deepest = 0;        ///< penetration (m)
+    double relative = 0;       ///< largest penetration divided by the clearance of its node
     double spring_energy = 0;  ///< of normal and friction springs (J)
 };
 WallContact contact_with(const Scene& scene, const Surroundings& surroundings,
@@ -39,6 +40,7 @@ void account_for(SeriesRecord& record, const WallContact& contact, const Account
                  const EnergyOrigin& origin);
 
 /// Adds the place of each node in the well and the force of the wall on it.
-void report_wall(Profile& profile, const Surroundings& surroundings, const Table<WallRow>& wall);
+void report_wall(const Scene& scene, Profile& profile, const Surroundings& surroundings,
+                 const Table<WallRow>& wall);
 
 }  // namespace drillstrand

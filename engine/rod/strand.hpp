@@ -13,8 +13,8 @@
 #include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
+#include "model/pose.hpp"
 #include "numerics/block_table.hpp"
-#include "rod/pose.hpp"
 #include "state/rows.hpp"
 
 namespace drillstrand {

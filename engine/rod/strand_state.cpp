@@ -185,7 +185,7 @@ Profile profile_record(const StrandString& string, const StrandState& state) {
         profile.momentum.push_back(momentum_of(state.rod, k));
     }
     profile.stress = stresses(string, state.rod);
-    report_wall(profile, string.model.surroundings, state.wall);
+    report_wall(string.scene, profile, string.model.surroundings, state.wall);
     return profile;
 }
 

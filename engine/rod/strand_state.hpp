@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "drillstrand/scene.hpp"
+#include "model/pose.hpp"
 #include "rod/bit.hpp"
 #include "rod/head.hpp"
-#include "rod/pose.hpp"
 #include "rod/strand.hpp"
 #include "state/rows.hpp"
 

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "drillstrand/side_force.hpp"
 #include "rod/director_report.hpp"
 #include "statics/search.hpp"
 
@@ -24,6 +25,8 @@ void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) 
         result.profile.contact_force[k] = walls[k].force;
         result.profile.normal_force[k] = walls[k].normal;
     }
+    result.profile.side_force = side_force(scene.mesh.node_s, result.profile.normal_force,
+                                           scene.side_force_window, scene.mesh.node_s);
     double potential = 0;
     for (std::size_t k = 0; k < walls.size(); ++k)
         potential -= scene.mesh.cell[k] * scene.weight[k] *

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 
 namespace drillstrand {
 

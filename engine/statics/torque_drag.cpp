@@ -13,6 +13,7 @@
 
 #include "drillstrand/equilibrium.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/side_force.hpp"
 #include "model/survey.hpp"
 #include "statics/arc_section.hpp"
 #include "statics/buckling_limits.hpp"
@@ -115,12 +116,11 @@ void describe_site(const Site& site, const Vector6& stress, TorqueDragProfile& p
 
 void describe_stiff(const TrippedString& string, const Equilibrium& found,
                     TorqueDragProfile& profile) {
-    for (std::size_t k = 0; k < string.sites.size(); ++k) {
+    for (std::size_t k = 0; k < string.sites.size(); ++k)
         describe_site(string.sites[k], found.profile.stress[k], profile);
-        // the mean of both nodes keeps the sum over the string
-        profile.side_force.push_back(
-            0.5 * (found.profile.normal_force[k] + found.profile.normal_force[k + 1]));
-    }
+    const StringMesh& mesh = string.scene.mesh;
+    profile.side_force = side_force(mesh.node_s, found.profile.normal_force,
+                                    string.scene.side_force_window, mesh.segment_s);
 }
 
 void describe_soft(const TrippedString& string, const SoftProfile& soft,
@@ -306,22 +306,6 @@ void append(TorqueDragCurve& curve, double bit_depth, Answer answer) {
 }
 
 }  // namespace
-
-std::string motion_name(TorqueDragMotion motion) {
-    switch (motion) {
-        case TorqueDragMotion::tripping_in:
-            return "tripping_in";
-        case TorqueDragMotion::tripping_out:
-            return "tripping_out";
-        case TorqueDragMotion::rotating:
-            return "rotating";
-        case TorqueDragMotion::drilling:
-            return "drilling";
-        case TorqueDragMotion::sliding:
-            return "sliding";
-    }
-    throw std::invalid_argument("motion_name: no such motion");
-}
 
 TorqueDrag compute_torque_drag(const Case& input, int threads) {
     check(input);

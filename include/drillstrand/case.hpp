@@ -71,6 +71,9 @@ struct StringCase {
     std::vector<Component> components;  ///< head to bit
 };
 
+/// Length of all components (m).
+double total_length(const StringCase& string);
+
 struct MeshCase {
     int segments = 0;
     std::optional<bool> segment_inertia;  ///< unset: the integrator's own default
@@ -132,6 +135,7 @@ struct InitialCase {
     InitialState state = InitialState::coaxial;
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< added uniformly: twist, bend1, bend2
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< shift of the string (m)
+    std::optional<double> penetration_limit;  ///< deepest at the start (m); unset: the clearance
 };
 
 /// What a string does while its equilibrium is sought.
@@ -146,6 +150,10 @@ struct EquilibriumCase {
 /// What a string does in a study of torque and drag. The bit is on bottom, loaded, where it drills
 /// or slides; it slides where it moves down without rotation.
 enum class TorqueDragMotion { tripping_in, tripping_out, rotating, drilling, sliding };
+
+/// The word for a motion in case files, tables and datasets: tripping_in, tripping_out, rotating,
+/// drilling, sliding.
+std::string motion_name(TorqueDragMotion motion);
 
 struct TorqueDragCase {
     std::vector<double> depths;  ///< measured depths of the bit, ascending (m); none: even steps
@@ -169,9 +177,10 @@ struct RunCase {
 };
 
 struct OutputCase {
-    double interval = 0.1;            ///< s
-    double profile_interval = 5;      ///< s; 0: first and last only
-    double checkpoint_interval = 60;  ///< wall s
+    double interval = 0.1;             ///< s
+    double profile_interval = 5;       ///< s; 0: first and last only
+    double checkpoint_interval = 60;   ///< wall s; 0: none
+    double side_force_window = 9.144;  ///< m
 };
 
 struct Case {

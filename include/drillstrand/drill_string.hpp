@@ -38,9 +38,6 @@ struct SectionProperties {
 /// also sets the polar one, unless that is given too).
 SectionProperties section_properties(const Component& component, double shear_coefficient);
 
-/// Length of all components (m).
-double total_length(const StringCase& string);
-
 /// The string on a mesh of N segments. Masses and areas of a node are means over its cell (from
 /// the middle of one segment to the middle of the next), so that their sums are exact; compliances
 /// of a segment are means over it, so that uniform stress gives the exact stretch, twist and turn;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "drillstrand/records.hpp"
+#include "drillstrand/saved_state.hpp"
 
 namespace drillstrand {
 
@@ -18,12 +19,19 @@ class EnergyAudit {
     [[nodiscard]] double appeared() const;
 
     /// The energy that moved: the largest swing (largest less smallest value) of kinetic, elastic
-    /// or potential energy, work or dissipation (J).
+    /// or potential energy, work or dissipation (J). What springs of the wall held at the start
+    /// swings too, from them into dashpots and friction, and is no measure of the rest: it does not
+    /// count.
     [[nodiscard]] double moved() const;
 
     /// What appeared, divided by what moved; 0 where no energy moved but by rounding (1e-10 of the
     /// largest energy), as in a string that stays at rest.
     [[nodiscard]] double residual() const;
+
+    /// The audit as rows, and one that goes on from them. Throws std::invalid_argument where the
+    /// rows are of something else.
+    [[nodiscard]] SavedState save() const;
+    void restore(const SavedState& saved);
 
   private:
     /// Least and largest value of a part of the account.

@@ -14,6 +14,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 struct EnergyAccount {
     double kinetic = 0;
     double elastic = 0;      ///< strain energy of the rod and of the contact springs
+    double springs = 0;      ///< of the contact springs, part of `elastic`
     double potential = 0;    ///< of the buoyed weight; 0 at the start of the run
     double work = 0;         ///< done by the head, the bit and dead loads on the string
     double dissipation = 0;  ///< in damping, fluid, contact dashpots and friction
@@ -36,9 +37,10 @@ struct SeriesRecord {
     double weight_on_bit = 0;   ///< N, compressive force of the rock on the bit
     double bit_torque = 0;      ///< N m, of the rock against the rotation of the bit
     EnergyAccount energy;
-    double step_size = 0;        ///< s, of the last step
-    double time_error = 0;       ///< relative, of the last sample; 0 with dormand_prince
-    double max_penetration = 0;  ///< m, 0 without contact
+    double step_size = 0;             ///< s, of the last step
+    double time_error = 0;            ///< relative, of the last sample; 0 with dormand_prince
+    double max_penetration = 0;       ///< m, 0 without contact
+    double relative_penetration = 0;  ///< largest penetration / clearance of a node
     std::int64_t contact_nodes = 0;
 
     // Events since the start of the run. A node that starts in contact has come into contact.
@@ -58,6 +60,7 @@ struct Profile {
     std::vector<double> well_depth;              ///< nodes, m; 0 without a well
     std::vector<Eigen::Vector3d> contact_force;  ///< nodes, N/m, space frame: wall on pipe
     std::vector<double> normal_force;            ///< nodes, N/m
+    std::vector<double> side_force;              ///< nodes, N/m, see side_force.hpp
 };
 
 struct StepStatistics {

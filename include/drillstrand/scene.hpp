@@ -44,6 +44,7 @@ struct Scene {
     std::optional<Well> well;
     std::optional<FluidCase> fluid;
     ContactCase contact;
+    double side_force_window = 0;  ///< m
     DampingCase damping;
     HeadCase head;
     BitCase bit;

@@ -17,8 +17,9 @@ namespace drillstrand {
 
 /// The scene from which a run of a case starts: build_scene(), in the equilibrium of the director
 /// rod under the loads of time 0, at rest and without friction, where the case asks for it (its
-/// initial nodes alone: initial strains stay). Throws as build_scene(), and SimulationError where
-/// there is no equilibrium.
+/// initial nodes alone: initial strains stay). Throws as build_scene(), SimulationError where there
+/// is no equilibrium, and InputError where a node starts deeper in the wall than its clearance, or
+/// than initial.penetration_limit.
 Scene starting_scene(const Case& input);
 
 /// A time loop over one scene. Create one with make_integrator().

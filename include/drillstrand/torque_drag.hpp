@@ -58,10 +58,6 @@ struct TorqueDrag {
     std::vector<TorqueDragCurve> curves;  ///< in the order of the case's motions
 };
 
-/// The word for a motion in case files, tables and datasets: tripping_in, tripping_out, rotating,
-/// drilling, sliding.
-std::string motion_name(TorqueDragMotion motion);
-
 /// The study that a case asks for in its table [torque_drag]; without one, at 20 even depths down
 /// to that of the bit. The head is at the start of the well, and the string is cut or lengthened at
 /// its top. Equilibria of different depths are found in parallel by `threads` threads (0: all

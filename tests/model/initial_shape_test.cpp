@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drillstrand/scene.hpp"
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand {

@@ -21,8 +21,8 @@ std::vector<SeriesRecord> ramp() {
     std::vector<SeriesRecord> series(11);
     for (int k = 0; k <= 10; ++k) {
         series[static_cast<std::size_t>(k)].time = k;
-        series[static_cast<std::size_t>(k)].head_stress[3] = 10 * k;
-        series[static_cast<std::size_t>(k)].head_stress[0] = -k;
+        series[static_cast<std::size_t>(k)].hook_load = 10 * k;
+        series[static_cast<std::size_t>(k)].surface_torque = k;
     }
     return series;
 }

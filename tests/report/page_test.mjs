@@ -102,10 +102,10 @@ test("every section of a run in a well is there, with the numbers of the result 
 
     const traces = (await plotted(page, "traces")).traces;
     assertClose(traces[0].x, times, "times");
-    assertClose(traces[0].y, scaled(head(3), 1e-3), "hook load");
+    assertClose(traces[0].y, scaled(well["series/hook_load"], 1e-3), "hook load");
     assertClose(traces[1].y, scaled(bit(3), -1e-3), "weight on bit");
-    assertClose(traces[2].y, scaled(head(0), -1e-3), "surface torque");
-    assertClose(traces[3].y, scaled(bit(0), -1e-3), "torque at the bit");
+    assertClose(traces[2].y, scaled(well["series/surface_torque"], 1e-3), "surface torque");
+    assertClose(traces[3].y, scaled(well["series/bit_torque"], 1e-3), "torque at the bit");
     assertClose(traces[4].y, scaled(well["series/bit_rotation_rate"], 1 / rpm), "rotation of the bit");
     assertClose(traces[5].y, scaled(well["series/head_rotation_rate"], 1 / rpm), "rotation of the top");
 
@@ -144,8 +144,8 @@ test("every section of a run in a well is there, with the numbers of the result 
 
     const printed = (value, unit) => `${Number((value).toPrecision(4))} ${unit}`;
     const last = times.length - 1;
-    assert.equal(await page.locator("#value-hook-load").textContent(), printed(head(3)[last] / 1e3, "kN"));
-    assert.equal(await page.locator("#value-torque").textContent(), printed(-head(0)[last] / 1e3, "kN m"));
+    assert.equal(await page.locator("#value-hook-load").textContent(), printed(well["series/hook_load"][last] / 1e3, "kN"));
+    assert.equal(await page.locator("#value-torque").textContent(), printed(well["series/surface_torque"][last] / 1e3, "kN m"));
     assert.equal(await page.locator("#value-bit-rotation").textContent(), printed(well["series/bit_rotation_rate"][last] / rpm, "rpm"));
     assert.equal(await page.locator("h1").textContent(), well.attributes.title);
     assert.equal(await page.locator(".status").textContent(), "complete");
@@ -157,17 +157,17 @@ test("a click changes SI to the field's units everywhere, and back", async () =>
     await page.locator('[data-units="field"]').click();
     await showSection(page, "traces");
     const { traces, titles } = await plotted(page, "traces");
-    assertClose(traces[0].y, well["series/head_stress"].map((stress) => stress[3] / klbf), "hook load");
+    assertClose(traces[0].y, well["series/hook_load"].map((load) => load / klbf), "hook load");
     assert.deepEqual(titles.sort(), ["Time (s)", "in", "kft lbf", "klbf", "klbf", "rpm"]);
     await showSection(page, "maps");
     const map = await plotted(page, "map-spin");
     assertClose(map.traces[0].y, well["mesh/node_s"].map((s) => s / 0.3048), "depths in feet");
     assert.ok(map.titles.includes("Depth along the string (ft)"));
-    const last = well["series/head_stress"].at(-1)[3];
+    const last = well["series/hook_load"].at(-1);
     assert.equal(await page.locator("#value-hook-load").textContent(), `${Number((last / klbf).toPrecision(4))} klbf`);
     await page.locator('[data-units="si"]').click();
     await showSection(page, "traces");
-    assertClose((await plotted(page, "traces")).traces[0].y, well["series/head_stress"].map((stress) => stress[3] / 1e3), "hook load");
+    assertClose((await plotted(page, "traces")).traces[0].y, well["series/hook_load"].map((load) => load / 1e3), "hook load");
   });
 });
 
@@ -317,7 +317,7 @@ test("files of other commands are refused in one line", () => {
 
 test("measured channels lie beside the simulated ones", async () => {
   const times = well["series/time"].filter((_, k) => k % 3 === 0);
-  const hook = well["series/head_stress"].filter((_, k) => k % 3 === 0).map((stress) => stress[3]);
+  const hook = well["series/hook_load"].filter((_, k) => k % 3 === 0);
   // The rig's clock is a minute late, and its sensor reads 10 klbf too much.
   const rows = times.map((time, k) => `${(time + 60) / 60},${hook[k] / klbf + 10},3`);
   writeFileSync(at("rig.csv"), `time[min],hook_load[klbf],torque[kN m]\n${rows.join("\n")}\n`);

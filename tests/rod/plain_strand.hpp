@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drillstrand/scene.hpp"
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 
 namespace drillstrand::test {
 

@@ -70,12 +70,19 @@ void print_contact(const Scene& scene, const Equilibrium& found) {
     double total = 0;
     for (std::size_t k = 0; k < side.size(); ++k)
         total += side[k] * scene.mesh.cell[k];
-    const auto worst = std::max_element(side.begin(), side.end());
-    const double there = scene.mesh.node_s[static_cast<std::size_t>(worst - side.begin())];
     line("contact", "{} of {} nodes, at most {:.4g} m into the wall", found.series.contact_nodes,
          side.size(), found.series.max_penetration);
-    line("side force", "{:.6g} kN in all, at most {:.6g} kN/m, {:.5g} m from the head", total / 1e3,
-         *worst / 1e3, there);
+    const auto place_of = [&](const std::vector<double>& values, auto entry) {
+        return scene.mesh.node_s[static_cast<std::size_t>(entry - values.begin())];
+    };
+    const std::vector<double>& mean = found.profile.side_force;
+    const auto worst = std::max_element(mean.begin(), mean.end());
+    const auto worst_node = std::max_element(side.begin(), side.end());
+    line("side force",
+         "{:.6g} kN in all, at most {:.6g} kN/m over {:.4g} m, {:.5g} m from the head", total / 1e3,
+         *worst / 1e3, scene.side_force_window, place_of(mean, worst));
+    line("", "{:.6g} kN/m on one node, {:.5g} m from the head", *worst_node / 1e3,
+         place_of(side, worst_node));
 }
 
 void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium& found,

@@ -104,9 +104,9 @@ std::vector<ChannelComparison> compare(const MeasuredChannels& measured, double 
             channel, title, quantity, pair_up(measured.time, values, offset, series, simulated)));
     };
     add("hook_load", "Hook load", "force", measured.hook_load,
-        [](const SeriesRecord& record) { return record.head_stress[3]; });
+        [](const SeriesRecord& record) { return record.hook_load; });
     add("torque", "Surface torque", "moment", measured.torque,
-        [](const SeriesRecord& record) { return driving_torque(record.head_stress); });
+        [](const SeriesRecord& record) { return record.surface_torque; });
     return comparison;
 }
 

@@ -73,9 +73,9 @@ void add_uniform(const Records& series, ArrayBlock& arrays) {
     for (std::size_t k = 0; k < part.count; ++k)
         picks.push_back(k * part.stride);
     add("dense/head_torque", series, picks, arrays,
-        [](const SeriesRecord& record) { return driving_torque(record.head_stress); });
+        [](const SeriesRecord& record) { return record.surface_torque; });
     add("dense/bit_torque", series, picks, arrays,
-        [](const SeriesRecord& record) { return driving_torque(record.bit_stress); });
+        [](const SeriesRecord& record) { return record.bit_torque; });
     add("dense/head_rate", series, picks, arrays,
         [](const SeriesRecord& record) { return record.head_rotation_rate; });
     add("dense/bit_rate", series, picks, arrays,
@@ -116,6 +116,10 @@ void add_series(const Result& result, ArrayBlock& arrays, std::vector<std::strin
     const auto one = [&](const char* name, auto member) {
         add(name, series, picks, arrays, [&](const R& record) { return record.*member; });
     };
+    one("series/hook_load", &R::hook_load);
+    one("series/surface_torque", &R::surface_torque);
+    one("series/weight_on_bit", &R::weight_on_bit);
+    one("series/bit_torque", &R::bit_torque);
     one("series/head_rate", &R::head_rotation_rate);
     one("series/bit_rate", &R::bit_rotation_rate);
     one("series/step_size", &R::step_size);

@@ -20,12 +20,6 @@ struct UniformSeries {
 
 UniformSeries uniform_part(const std::vector<SeriesRecord>& series);
 
-/// Torque that the string carries from its upper to its lower part (N m): positive where the upper
-/// part drives the lower one in the sense of positive rotation.
-inline double driving_torque(const Vector6& stress) {
-    return -stress[0];
-}
-
 /// Adds the arrays of the series, and to `notes` what was left out to keep the page small.
 void add_series(const Result& result, ArrayBlock& arrays, std::vector<std::string>& notes);
 

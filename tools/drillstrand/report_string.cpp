@@ -162,7 +162,7 @@ void add_fields(const Result& result, const Picks& picks, ArrayBlock& arrays) {
              [](const Vector6& stress) { return std::hypot(stress[1], stress[2]); });
     if (result.header.well)
         add_field("profiles/side", result, picks.profiles, picks.nodes, arrays,
-                  [](const Profile& profile, std::size_t k) { return profile.normal_force[k]; });
+                  [](const Profile& profile, std::size_t k) { return profile.side_force[k]; });
     const auto& inertia = result.header.polar_inertia;
     if (!inertia.empty())
         add_field("profiles/spin", result, picks.profiles, picks.nodes, arrays,

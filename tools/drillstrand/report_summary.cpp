@@ -198,14 +198,13 @@ Items well_items(const WellCase& well) {
 }
 
 /// Range of a series in words.
-template <class Value>
 Item series_range(const char* id, const char* label, const std::vector<SeriesRecord>& series,
-                  const Units& units, Value&& value) {
-    double least = value(series.front());
+                  const Units& units, double SeriesRecord::*value) {
+    double least = series.front().*value;
     double most = least;
     for (const SeriesRecord& record : series) {
-        least = std::min(least, value(record));
-        most = std::max(most, value(record));
+        least = std::min(least, record.*value);
+        most = std::max(most, record.*value);
     }
     // Rounding of what is zero is not worth its digits.
     const double rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
@@ -214,27 +213,17 @@ Item series_range(const char* id, const char* label, const std::vector<SeriesRec
     return range(id, label, least, most, units);
 }
 
-double hook_load(const SeriesRecord& record) {
-    return record.head_stress[3];
-}
-
-double weight_on_bit(const SeriesRecord& record) {
-    return -record.bit_stress[3];
-}
-
-double surface_torque(const SeriesRecord& record) {
-    return driving_torque(record.head_stress);
-}
-
 Items load_items(const Result& result) {
-    Items items = {
-        series_range("hook-load-range", "Hook load", result.series, force, hook_load),
-        series_range("torque-range", "Surface torque", result.series, moment, surface_torque),
-        series_range("weight-on-bit-range", "Weight on bit", result.series, force, weight_on_bit)};
+    Items items = {series_range("hook-load-range", "Hook load", result.series, force,
+                                &SeriesRecord::hook_load),
+                   series_range("torque-range", "Surface torque", result.series, moment,
+                                &SeriesRecord::surface_torque),
+                   series_range("weight-on-bit-range", "Weight on bit", result.series, force,
+                                &SeriesRecord::weight_on_bit)};
     if (const Peak peak = peak_of_yield(result); peak.value > 0) items.push_back(yield_item(peak));
     const Peak side =
         peak_of(result.profiles, result.header.node_s,
-                [](const Profile& profile, std::size_t k) { return profile.normal_force[k]; });
+                [](const Profile& profile, std::size_t k) { return profile.side_force[k]; });
     if (side.value > 0)
         items.push_back(peak_item("side-force", "Side force, greatest", side, side_force));
     return items;
@@ -258,9 +247,9 @@ std::string tiles_json(const Result& result) {
     const SeriesRecord& last = result.series.back();
     Items items = {
         plain("end-time", "Last record", fmt::format("{:.6g} s", last.time)),
-        quantity("hook-load", "Hook load", hook_load(last), force),
-        quantity("torque", "Surface torque", surface_torque(last), moment),
-        quantity("weight-on-bit", "Weight on bit", weight_on_bit(last), force),
+        quantity("hook-load", "Hook load", last.hook_load, force),
+        quantity("torque", "Surface torque", last.surface_torque, moment),
+        quantity("weight-on-bit", "Weight on bit", last.weight_on_bit, force),
         plain("top-rotation", "Rotation of the top",
               fmt::format("{:.4g} rpm", last.head_rotation_rate / revolution_per_minute)),
         plain("bit-rotation", "Rotation of the bit",

@@ -14,18 +14,16 @@ function measuredLines(channel) {
 function addTraces() {
   if (!has("series/time")) return;
   const section = addSection("traces", "Traces",
-    "What the driller sees at the top, and what goes on at the bit. Tension is positive; a torque is positive where the " +
-    "upper part turns the lower one in the sense of positive rotation, clockwise seen from above.");
+    "What the driller sees at the top, and what goes on at the bit. The hook load is what holds the head; a torque is " +
+    "positive where the drive turns the string, or the rock holds the bit, against positive rotation, clockwise seen from above.");
   addPlot(section, "traces", () => {
-    const head = (k) => series("head_stress", k);
-    const bit = (k) => series("bit_stress", k);
     const plot = stripPlot([
       { title: "Hook load", quantity: "force",
-        lines: [{ name: metadata.measured ? "simulated" : "", values: head(3) }, ...measuredLines("hook_load")] },
-      { title: "Weight on bit", quantity: "force", lines: [{ name: "", values: negative(bit(3)), colour: 1 }] },
+        lines: [{ name: metadata.measured ? "simulated" : "", values: series("hook_load") }, ...measuredLines("hook_load")] },
+      { title: "Weight on bit", quantity: "force", lines: [{ name: "", values: series("weight_on_bit"), colour: 1 }] },
       { title: "Torque", quantity: "moment",
-        lines: [{ name: "at the surface", values: negative(head(0)) },
-          { name: "at the bit", values: negative(bit(0)), colour: 1 }, ...measuredLines("torque")] },
+        lines: [{ name: "at the surface", values: series("surface_torque") },
+          { name: "at the bit", values: series("bit_torque"), colour: 1 }, ...measuredLines("torque")] },
       { title: "Rotation", quantity: "rotation",
         lines: [{ name: "of the bit", values: series("bit_rate"), colour: 1 },
           { name: "of the top", values: series("head_rate") }] },

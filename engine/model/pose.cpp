@@ -1,4 +1,4 @@
-#include "rod/pose.hpp"
+#include "model/pose.hpp"
 
 #include <cstddef>
 

@@ -1,0 +1,103 @@
+#include "drillstrand/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace drillstrand {
+
+namespace {
+
+constexpr double large_energy_residual = 0.01;
+
+/// Time in which an axial wave runs along the string (s).
+double axial_travel_time(const StringMesh& mesh) {
+    double time = 0;
+    for (std::size_t k = 0; k < mesh.length.size(); ++k)
+        time += mesh.length[k] * std::sqrt(mesh.segment[k].mass / mesh.segment[k].axial_stiffness);
+    return time;
+}
+
+}  // namespace
+
+RunSummary::RunSummary(const Scene& scene)
+    : settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))) {}
+
+void RunSummary::add(const SeriesRecord& record) {
+    audit_.add(record.energy);
+    if (record.relative_penetration > relative_penetration_) deepest_time_ = record.time;
+    penetration_ = std::max(penetration_, record.max_penetration);
+    relative_penetration_ = std::max(relative_penetration_, record.relative_penetration);
+    if (record.time_error == latest_time_error_) return;
+    latest_time_error_ = record.time_error;
+    if (record.time <= settled_after_)
+        time_error_at_start_ = std::max(time_error_at_start_, record.time_error);
+    else
+        time_errors_.push_back(record.time_error);
+}
+
+double RunSummary::time_error_largest() const {
+    return time_errors_.empty() ? 0 : *std::max_element(time_errors_.begin(), time_errors_.end());
+}
+
+double RunSummary::time_error_median() const {
+    if (time_errors_.empty()) return time_error_at_start_;
+    std::vector<double> sorted = time_errors_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
+std::vector<std::string> RunSummary::warnings() const {
+    std::vector<std::string> sentences;
+    if (relative_penetration_ > 1)
+        sentences.push_back(fmt::format(
+            "the pipe lay up to {:.3g} m deep in the wall, {:.2g} times its clearance, at t = "
+            "{:.6g} "
+            "s: the wall is too soft for what presses on it; raise contact.normal_stiffness",
+            penetration_, relative_penetration_, deepest_time_));
+    const double residual = energy_residual();
+    if (std::abs(residual) > large_energy_residual)
+        sentences.push_back(
+            fmt::format("{:.2g} % of the energy that moved {}; the time steps are too long, or the "
+                        "scene gains energy",
+                        100 * std::abs(residual),
+                        residual > 0 ? "appeared from nowhere" : "vanished unaccounted for"));
+    return sentences;
+}
+
+SavedState RunSummary::save() const {
+    SavedState saved = audit_.save();
+    saved.push_back(
+        {"penetration", "m, 1, s", {penetration_, relative_penetration_, deepest_time_}});
+    saved.push_back({"time_error", "1", {time_error_at_start_, latest_time_error_}});
+    if (!time_errors_.empty()) saved.push_back({"time_errors", "1", time_errors_});
+    return saved;
+}
+
+void RunSummary::restore(const SavedState& saved) {
+    EnergyAudit audit;
+    audit.restore(saved);
+    const auto values_of = [&](const char* name, std::size_t size) -> const std::vector<double>& {
+        for (const SavedRow& row : saved) {
+            if (row.name == name && row.values.size() == size) return row.values;
+        }
+        throw std::invalid_argument(fmt::format("the saved summary has no row {}", name));
+    };
+    const std::vector<double>& depth = values_of("penetration", 3);
+    const std::vector<double>& error = values_of("time_error", 2);
+    audit_ = audit;
+    penetration_ = depth[0];
+    relative_penetration_ = depth[1];
+    deepest_time_ = depth[2];
+    time_error_at_start_ = error[0];
+    latest_time_error_ = error[1];
+    time_errors_.clear();
+    for (const SavedRow& row : saved) {
+        if (row.name == "time_errors") time_errors_ = row.values;
+    }
+}
+
+}  // namespace drillstrand

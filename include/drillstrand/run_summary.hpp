@@ -1,0 +1,52 @@
+/// What a user should know of a whole run, gathered record by record.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drillstrand/energy_audit.hpp"
+#include "drillstrand/records.hpp"
+#include "drillstrand/saved_state.hpp"
+#include "drillstrand/scene.hpp"
+
+namespace drillstrand {
+
+class RunSummary {
+  public:
+    explicit RunSummary(const Scene& scene);
+
+    void add(const SeriesRecord& record);
+
+    [[nodiscard]] double energy_residual() const { return audit_.residual(); }
+    [[nodiscard]] double largest_penetration() const { return penetration_; }  ///< m
+    /// Of a node, divided by the clearance that the pipe has there.
+    [[nodiscard]] double largest_relative_penetration() const { return relative_penetration_; }
+
+    /// Until when a string that is let go settles (s): axial waves go up and down it twice, and a
+    /// second at least. Its time error is that of this fall and no measure of the rest of the run.
+    [[nodiscard]] double settled_after() const { return settled_after_; }
+    /// Largest time error until then, and after; the median of the samples after (of all, where a
+    /// run ends before).
+    [[nodiscard]] double time_error_at_start() const { return time_error_at_start_; }
+    [[nodiscard]] double time_error_largest() const;
+    [[nodiscard]] double time_error_median() const;
+
+    /// A sentence each.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+    /// All of it as rows; restore() throws std::invalid_argument where they are of something else.
+    [[nodiscard]] SavedState save() const;
+    void restore(const SavedState& saved);
+
+  private:
+    EnergyAudit audit_;
+    double settled_after_;
+    double penetration_ = 0;
+    double relative_penetration_ = 0;
+    double deepest_time_ = 0;  ///< s
+    double time_error_at_start_ = 0;
+    double latest_time_error_ = 0;
+    std::vector<double> time_errors_;  ///< samples after the start
+};
+
+}  // namespace drillstrand
