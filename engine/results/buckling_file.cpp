@@ -1,7 +1,8 @@
 #include "drillstrand/buckling_file.hpp"
 
+#include "drillstrand/new_file.hpp"
 #include "results/hdf5.hpp"
-#include "results/new_file.hpp"
+#include "results/held_file.hpp"
 #include "results/reading.hpp"
 
 namespace drillstrand {
@@ -68,11 +69,11 @@ std::size_t array_bytes(const BucklingResult& result) {
 
 }  // namespace
 
-void write_buckling(const fs::path& path, const BucklingResult& result) {
-    NewFile fresh(fs::weakly_canonical(path), path);
-    require_space(fresh.path(), path,
-                  array_bytes(result) + result.header.case_text.size() + metadata_bytes);
-    hdf5::attempt(path, "write", [&] { write_file(fresh.path(), result); });
+void write_buckling(const fs::path& path, const BucklingResult& result, Existing existing) {
+    NewFile fresh(path, existing);
+    fresh.held().require_space(array_bytes(result) + result.header.case_text.size() +
+                               metadata_bytes);
+    hdf5::attempt<WriteError>(path, "write", [&] { write_file(fresh.path(), result); });
     fresh.take_name();
 }
 

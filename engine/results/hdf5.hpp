@@ -29,14 +29,14 @@ class QuietErrors {
 /// The reason of the last failure in one line: that of the operating system where there is one.
 std::string reason(const H5::Exception& exception);
 
-/// Calls `action`; a failure of HDF5 becomes ResultError "PATH: cannot VERB: reason".
-template <class Action>
+/// Calls `action`; a failure of HDF5 becomes an Error "PATH: cannot VERB: reason".
+template <class Error = ResultError, class Action>
 auto attempt(const std::filesystem::path& path, const char* verb, Action&& action) {
     const QuietErrors quiet;
     try {
         return action();
     } catch (const H5::Exception& exception) {
-        throw ResultError(path.string() + ": cannot " + verb + ": " + reason(exception));
+        throw Error(path.string() + ": cannot " + verb + ": " + reason(exception));
     }
 }
 

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "drillstrand/result_file.hpp"
 #include "results/hdf5.hpp"
-#include "results/new_file.hpp"
+#include "results/held_file.hpp"
+#include "results/reading.hpp"
 #include "results/scene_datasets.hpp"
 
 namespace drillstrand {
@@ -46,11 +50,62 @@ class RecordTable {
             datasets_.push_back(hdf5::create_dataset(
                 file, entry.path, entry.integer, H5::DataSpace(rank, initial.data(), most.data()),
                 properties, entry.units, entry.description));
-            std::size_t chunk_values = 1;
-            for (const hsize_t extent : chunk_shape)
-                chunk_values *= extent;
-            chunk_bytes_ += chunk_values * sizeof(double);
+            add_chunk(chunk_shape);
         }
+    }
+
+    /// Opens the datasets of a file, of which the first `records` records are to be kept.
+    RecordTable(H5::H5File& file, const std::vector<RecordDataset<Record>>& layout,
+                hsize_t segments, hsize_t records)
+        : layout_(&layout), segments_(segments), pending_(layout.size()), written_(records) {
+        for (const auto& entry : layout) {
+            const H5::DataSet& dataset = datasets_.emplace_back(file.openDataSet(entry.path));
+            const auto expected = hdf5::shape(entry, segments, 1);
+            const auto found = extent_of(dataset);
+            if (found.size() != expected.size() ||
+                !std::equal(found.begin() + 1, found.end(), expected.begin() + 1))
+                throw ResultError(entry.path + " has another shape");
+            if (found.front() < records)
+                throw ResultError(
+                    fmt::format("{} holds {} records, not {}", entry.path, found.front(), records));
+            std::vector<hsize_t> chunk_shape(found.size());
+            dataset.getCreatePlist().getChunk(static_cast<int>(chunk_shape.size()),
+                                              chunk_shape.data());
+            add_chunk(chunk_shape);
+        }
+    }
+
+    void drop_times() { drop(0); }
+
+    void drop_values() {
+        for (std::size_t k = 1; k < datasets_.size(); ++k)
+            drop(k);
+    }
+
+    /// Throws ResultError where a chunk of the records is missing: HDF5 would read zeros.
+    void require_chunks() const {
+        for (std::size_t k = 0; k < datasets_.size(); ++k) {
+            hsize_t chunk[H5S_MAX_RANK] = {};
+            datasets_[k].getCreatePlist().getChunk(H5S_MAX_RANK, chunk);
+            const hsize_t expected = (written_ + chunk[0] - 1) / chunk[0];
+            hsize_t found = 0;
+            const H5::DataSpace space = datasets_[k].getSpace();
+            if (written_ > 0 && H5Dget_num_chunks(datasets_[k].getId(), space.getId(), &found) < 0)
+                throw ResultError((*layout_)[k].path + ": its chunks cannot be counted");
+            if (found != expected)
+                throw ResultError(fmt::format("{} is damaged: {} of {} chunks are missing",
+                                              (*layout_)[k].path, expected - found, expected));
+        }
+    }
+
+    void read_last_time() {
+        if (written_ == 0) return;
+        const hsize_t one = 1;
+        const hsize_t last = written_ - 1;
+        const H5::DataSpace memory(1, &one);
+        H5::DataSpace source = datasets_[0].getSpace();
+        source.selectHyperslab(H5S_SELECT_SET, &one, &last);
+        datasets_[0].read(&last_time_, H5::PredType::NATIVE_DOUBLE, memory, source);
     }
 
     void append(const Record& record) {
@@ -77,7 +132,7 @@ class RecordTable {
 
     void write_times() {
         write(0);
-        if (pending_records_ > 0) last_time_ = pending_.front().back();
+        if (pending_records_ > 0) last_time_ = pending_.front()[pending_records_ - 1];
         written_ += pending_records_;
         for (auto& values : pending_)
             values.clear();
@@ -86,6 +141,7 @@ class RecordTable {
 
     /// Time of the last record in the file; 0 before the first one (s).
     [[nodiscard]] double last_time() const { return last_time_; }
+    [[nodiscard]] hsize_t written() const { return written_; }
 
     void close() {
         for (H5::DataSet& dataset : datasets_)
@@ -93,6 +149,28 @@ class RecordTable {
     }
 
   private:
+    static std::vector<hsize_t> extent_of(const H5::DataSet& dataset) {
+        const H5::DataSpace space = dataset.getSpace();
+        std::vector<hsize_t> extent(static_cast<std::size_t>(space.getSimpleExtentNdims()));
+        space.getSimpleExtentDims(extent.data());
+        return extent;
+    }
+
+    void add_chunk(const std::vector<hsize_t>& chunk_shape) {
+        std::size_t chunk_values = 1;
+        for (const hsize_t extent : chunk_shape)
+            chunk_values *= extent;
+        chunk_bytes_ += chunk_values * sizeof(double);
+    }
+
+    void drop(std::size_t k) {
+        auto extent = extent_of(datasets_[k]);
+        if (extent.front() == written_) return;
+        extent.front() = written_;
+        if (H5Dset_extent(datasets_[k].getId(), extent.data()) < 0)
+            throw ResultError((*layout_)[k].path + " cannot be cut to its first records");
+    }
+
     void write(std::size_t k) {
         if (pending_records_ == 0) return;
         auto extent = hdf5::shape((*layout_)[k], segments_, pending_records_);
@@ -132,6 +210,26 @@ H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
     return file;
 }
 
+H5::H5File open_file(const fs::path& path) {
+    H5::H5File file(path, H5F_ACC_RDWR, H5::FileCreatPropList::DEFAULT, hdf5::file_access());
+    // A kill inside a flush leaves the end as it was before, in front of data that the file's
+    // tables may know already: new data must not go there.
+    if (H5Fincrement_filesize(file.getId(), 0) < 0) throw ResultError("its end is not found");
+    return file;
+}
+
+/// Throws ResultError where another string or integrator made the file.
+void require_same_run(const H5::H5File& file, const ResultHeader& header) {
+    ResultHeader found;
+    hdf5::read_mesh(file, "", found);
+    hdf5::read_attribute(file.openGroup("/"), "integrator", found.integrator);
+    if (found.node_s != header.node_s || found.segment_s != header.segment_s)
+        throw ResultError("it holds the results of another string");
+    if (found.integrator != header.integrator)
+        throw ResultError(
+            fmt::format("it was made by {}, not by {}", found.integrator, header.integrator));
+}
+
 /// Everything in HDF5 that is open while a result file is written.
 struct OpenFile {
     H5::H5File file;
@@ -144,6 +242,26 @@ struct OpenFile {
           root(file.openGroup("/")),
           series(file, series_datasets(), header.segment_s.size()),
           profiles(file, profile_datasets(), header.segment_s.size()) {}
+
+    OpenFile(const fs::path& path, const ResultHeader& header, hsize_t series_records,
+             hsize_t profile_records)
+        : file(open_file(path)),
+          root((require_same_run(file, header), file.openGroup("/"))),
+          series(file, series_datasets(), header.segment_s.size(), series_records),
+          profiles(file, profile_datasets(), header.segment_s.size(), profile_records) {}
+
+    /// Back to the records that are to be kept; times first, so that none is without its values.
+    void drop_others() {
+        series.drop_times();
+        profiles.drop_times();
+        flush();
+        series.drop_values();
+        profiles.drop_values();
+        series.require_chunks();
+        profiles.require_chunks();
+        series.read_last_time();
+        profiles.read_last_time();
+    }
 
     void write_status(const ResultFooter& footer) {
         hdf5::write_attribute(root, "status", footer.status);
@@ -175,13 +293,13 @@ struct OpenFile {
 struct ResultWriter::Impl {
     using Clock = std::chrono::steady_clock;
 
-    /// The file is made beside `target` and takes its name once it is sound, so that a start that
+    /// The file is made beside its place and takes its name once it is sound, so that a start that
     /// fails leaves an older result as it was.
-    Impl(const fs::path& target, const ResultHeader& header)
-        : shown_path_(target), file_path_(fs::weakly_canonical(target)) {
-        NewFile fresh(file_path_, shown_path_);
+    Impl(const fs::path& path, const ResultHeader& header, Existing existing)
+        : shown_path_(path), file_path_(followed(path)) {
+        NewFile fresh(path, existing);
+        fresh.held().require_space(metadata_bytes);
         try {
-            require_space(fresh.path(), shown_path_, metadata_bytes);
             attempt([&] {
                 open_ = std::make_unique<OpenFile>(fresh.path(), header);
                 open_->write_status({});
@@ -189,17 +307,51 @@ struct ResultWriter::Impl {
                 open_->flush();
             });
             fresh.take_name();
+            held_ = fresh.release();
+            held_->remember_size();
         } catch (...) {
             close_quietly();
             throw;
         }
     }
 
+    Impl(const fs::path& path, const ResultHeader& header, hsize_t series_records,
+         hsize_t profile_records)
+        : shown_path_(path),
+          file_path_(followed(path)),
+          held_(std::make_unique<HeldFile>(HeldFile::open(file_path_, path))) {
+        held_->require_space(metadata_bytes);
+        try {
+            hdf5::attempt(shown_path_, "go on with it", [&] {
+                open_ =
+                    std::make_unique<OpenFile>(file_path_, header, series_records, profile_records);
+            });
+            attempt([&] {
+                open_->drop_others();
+                open_->write_status({});
+                open_->flush();
+            });
+        } catch (const WriteError&) {
+            close_quietly();
+            throw;
+        } catch (const ResultError& error) {
+            close_quietly();
+            const std::string why = error.what();
+            if (why.starts_with(shown_path_.string())) throw;
+            throw ResultError(shown_path_.string() + ": cannot go on with it: " + why);
+        } catch (...) {
+            close_quietly();
+            throw;
+        }
+        written_until_ = open_->series.last_time();
+        held_->remember_size();
+    }
+
     ~Impl() {
         if (!open_) return;
         try {
             if (!failed_) write_pending();
-        } catch (const ResultError&) {
+        } catch (const std::exception&) {
             // What reached the file before stays readable; nobody is left to tell.
         }
         close_quietly();
@@ -220,7 +372,10 @@ struct ResultWriter::Impl {
             open_->write_numbers(footer);
             open_->flush();
         });
+        held_->remember_size();
     }
+
+    void sync() { held_->sync(); }
 
     void close(ResultFooter footer) {
         std::string lost;
@@ -233,28 +388,59 @@ struct ResultWriter::Impl {
             }
         }
         try {
+            require_held();
             attempt([&] {
                 open_->write_numbers(footer);
                 open_->write_status(footer);
                 open_->flush();
+                written_records_ = {open_->series.written(), open_->profiles.written()};
                 open_->close();
             });
+            open_.reset();
+            require_whole();
         } catch (const ResultError& error) {
             close_quietly();
             if (lost.empty()) lost = error.what();
         }
-        open_.reset();
-        if (!lost.empty()) throw ResultError(lost);
+        held_.reset();
+        if (!lost.empty()) throw WriteError(lost);
     }
 
     [[nodiscard]] bool is_stale() const { return Clock::now() - last_flush_ > stale_after; }
     [[nodiscard]] double written_until() const { return written_until_; }
+    [[nodiscard]] bool is_lost() const { return lost_; }
     [[nodiscard]] OpenFile& open() { return *open_; }
 
   private:
     template <class Action>
     void attempt(Action&& action) {
-        hdf5::attempt(shown_path_, "write", action);
+        hdf5::attempt<WriteError>(shown_path_, "write", action);
+    }
+
+    void require_held() {
+        lost_ = true;
+        held_->require_name(file_path_);
+        held_->require_size();
+        lost_ = false;
+    }
+
+    /// What others did to the file since the last look shows only in the file itself.
+    void require_whole() {
+        lost_ = true;
+        held_->require_name(file_path_);
+        hdf5::attempt<WriteError>(shown_path_, "read what was written", [&] {
+            const H5::H5File file(file_path_, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT,
+                                  hdf5::file_access());
+            const auto count = [&](const std::string& path) {
+                return static_cast<hsize_t>(
+                    file.openDataSet(path).getSpace().getSimpleExtentNpoints());
+            };
+            if (count(series_datasets().front().path) != written_records_.first ||
+                count(profile_datasets().front().path) != written_records_.second)
+                throw WriteError(shown_path_.string() +
+                                 ": changed by another program while results were written to it");
+        });
+        lost_ = false;
     }
 
     /// Values first and times last, each on disk before the next: a file that is cut off between
@@ -262,9 +448,9 @@ struct ResultWriter::Impl {
     void write_pending() {
         last_flush_ = Clock::now();
         failed_ = true;
-        require_space(
-            file_path_, shown_path_,
-            open_->series.needed_bytes() + open_->profiles.needed_bytes() + metadata_bytes);
+        require_held();
+        held_->require_space(open_->series.needed_bytes() + open_->profiles.needed_bytes() +
+                             metadata_bytes);
         attempt([&] {
             open_->series.write_values();
             open_->profiles.write_values();
@@ -273,6 +459,7 @@ struct ResultWriter::Impl {
             open_->profiles.write_times();
             open_->flush();
         });
+        held_->remember_size();
         written_until_ = open_->series.last_time();
         failed_ = false;
     }
@@ -284,24 +471,34 @@ struct ResultWriter::Impl {
         try {
             attempt([&] { open_->close(); });
             open_.reset();
-        } catch (const ResultError&) {
+        } catch (const std::exception&) {
             static_cast<void>(open_.release());
         }
     }
 
     fs::path shown_path_;  ///< as the caller wrote it
     fs::path file_path_;
+    std::unique_ptr<HeldFile> held_;
     std::unique_ptr<OpenFile> open_;
     bool failed_ = false;  ///< records were lost: the pending ones no longer follow the file's
+    bool lost_ = false;    ///< the file is not there any more, or not as it was written
+    std::pair<hsize_t, hsize_t> written_records_;  ///< series and profiles
     double written_until_ = 0;
     Clock::time_point last_flush_ = Clock::now();
 };
 
-ResultWriter::ResultWriter(const std::filesystem::path& path, const ResultHeader& header)
-    : impl_(std::make_unique<Impl>(path, header)) {}
+ResultWriter::ResultWriter(const std::filesystem::path& path, const ResultHeader& header,
+                           Existing existing)
+    : impl_(std::make_unique<Impl>(path, header, existing)) {}
+ResultWriter::ResultWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ResultWriter::~ResultWriter() = default;
 ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
 ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
+
+ResultWriter ResultWriter::resume(const std::filesystem::path& path, const ResultHeader& header,
+                                  std::size_t series_records, std::size_t profile_records) {
+    return ResultWriter(std::make_unique<Impl>(path, header, series_records, profile_records));
+}
 
 void ResultWriter::append(const SeriesRecord& record) {
     impl_->append(impl_->open().series, record);
@@ -317,6 +514,14 @@ bool ResultWriter::is_stale() const {
 
 double ResultWriter::written_until() const {
     return impl_->written_until();
+}
+
+bool ResultWriter::is_lost() const {
+    return impl_->is_lost();
+}
+
+void ResultWriter::sync() {
+    impl_->sync();
 }
 
 void ResultWriter::flush(const ResultFooter& footer) {

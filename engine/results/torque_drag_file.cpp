@@ -2,8 +2,9 @@
 
 #include <array>
 
+#include "drillstrand/new_file.hpp"
 #include "results/hdf5.hpp"
-#include "results/new_file.hpp"
+#include "results/held_file.hpp"
 #include "results/reading.hpp"
 
 namespace drillstrand {
@@ -107,11 +108,11 @@ TorqueDragCurve read_curve(hdf5::UntrustedFile& file, TorqueDragMotion motion,
 
 }  // namespace
 
-void write_torque_drag(const fs::path& path, const TorqueDragResult& result) {
-    NewFile fresh(fs::weakly_canonical(path), path);
-    require_space(fresh.path(), path,
-                  array_bytes(result) + result.header.case_text.size() + metadata_bytes);
-    hdf5::attempt(path, "write", [&] { write_file(fresh.path(), result); });
+void write_torque_drag(const fs::path& path, const TorqueDragResult& result, Existing existing) {
+    NewFile fresh(path, existing);
+    fresh.held().require_space(array_bytes(result) + result.header.case_text.size() +
+                               metadata_bytes);
+    hdf5::attempt<WriteError>(path, "write", [&] { write_file(fresh.path(), result); });
     fresh.take_name();
 }
 

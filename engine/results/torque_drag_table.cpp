@@ -1,12 +1,7 @@
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
-#include "drillstrand/error.hpp"
+#include "drillstrand/new_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
-#include "results/new_file.hpp"
 
 namespace drillstrand {
 
@@ -44,28 +39,27 @@ std::string text_of(const std::vector<Column>& columns) {
     return text;
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-    NewFile fresh(fs::weakly_canonical(path), path);
-    require_space(fresh.path(), path, text.size());
-    std::ofstream stream(fresh.path(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-        throw ResultError(path.string() +
-                          ": cannot write: " + std::generic_category().message(errno));
+void write_text(const fs::path& path, const std::string& text, Existing existing) {
+    NewFile fresh(path, existing);
+    fresh.write(text);
     fresh.take_name();
 }
 
 }  // namespace
 
-void write_torque_drag_table(const fs::path& path, const TorqueDrag& study) {
-    write_text(path, text_of(columns_of(study, {"bit_depth[m]", study.bit_depth},
-                                        torque_drag_depth_datasets())));
+void write_torque_drag_table(const fs::path& path, const TorqueDrag& study, Existing existing) {
+    write_text(
+        path,
+        text_of(columns_of(study, {"bit_depth[m]", study.bit_depth}, torque_drag_depth_datasets())),
+        existing);
 }
 
-void write_torque_drag_profile_table(const fs::path& path, const TorqueDrag& study) {
-    write_text(path, text_of(columns_of(study, {"measured_depth[m]", study.measured_depth},
-                                        torque_drag_profile_datasets())));
+void write_torque_drag_profile_table(const fs::path& path, const TorqueDrag& study,
+                                     Existing existing) {
+    write_text(path,
+               text_of(columns_of(study, {"measured_depth[m]", study.measured_depth},
+                                  torque_drag_profile_datasets())),
+               existing);
 }
 
 }  // namespace drillstrand

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drillstrand/buckling.hpp"
+#include "drillstrand/new_file.hpp"
 #include "drillstrand/result_file.hpp"
 
 namespace drillstrand {
@@ -20,9 +21,10 @@ struct BucklingResult {
     std::string commit;
 };
 
-/// Writes a file; an existing one of that name is replaced once the new one is sound. Throws
-/// ResultError where it cannot be written.
-void write_buckling(const std::filesystem::path& path, const BucklingResult& result);
+/// Writes a file, which takes its name once it is sound. Throws ResultError where it cannot be
+/// written.
+void write_buckling(const std::filesystem::path& path, const BucklingResult& result,
+                    Existing existing = Existing::replace);
 
 /// Whether a file is one of buckling modes. Throws ResultError where it is no result file.
 bool holds_buckling(const std::filesystem::path& path);

@@ -41,10 +41,18 @@ class GuardError : public SimulationError {
     using SimulationError::SimulationError;
 };
 
-/// A result file cannot be written or read (disk full, not a result file).
+/// A result file cannot be read, or not be written there (not a result file, a folder of that name,
+/// another run writes it).
 class ResultError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+};
+
+/// Writing failed although nothing was wrong with what was asked for (disk full, the file was
+/// deleted meanwhile).
+class WriteError : public ResultError {
+  public:
+    using ResultError::ResultError;
 };
 
 }  // namespace drillstrand

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drillstrand/case.hpp"
+#include "drillstrand/new_file.hpp"
 #include "drillstrand/records.hpp"
 
 namespace drillstrand {
@@ -50,12 +51,20 @@ struct ResultFooter {
 };
 
 /// Creates the file and appends records. The file is readable from the moment the constructor
-/// returns, also when the process is killed; its status is "running" until close().
-/// Throws ResultError where the file cannot be written: what was flushed before stays readable.
+/// returns, also when the process is killed; its status is "running" until close(). No other
+/// drillstrand can write it meanwhile.
+/// Throws WriteError where the file cannot be written, also where it was deleted, moved, replaced
+/// or cut off since the last flush: what was flushed before stays readable, as far as it is there.
 class ResultWriter {
   public:
-    /// An existing file of that name is replaced once the new one is sound.
-    ResultWriter(const std::filesystem::path& path, const ResultHeader& header);
+    /// The file takes its name once it is sound. Throws ResultError where none can be there.
+    ResultWriter(const std::filesystem::path& path, const ResultHeader& header,
+                 Existing existing = Existing::replace);
+    /// Goes on with a file that a run of this header wrote and left, whatever became of it: keeps
+    /// its first records, that many, and drops the others. Throws ResultError where it holds fewer
+    /// or is of another string or integrator.
+    static ResultWriter resume(const std::filesystem::path& path, const ResultHeader& header,
+                               std::size_t series_records, std::size_t profile_records);
     /// Closes the file without a footer where close() was not called.
     ~ResultWriter();
     ResultWriter(ResultWriter&&) noexcept;
@@ -67,15 +76,20 @@ class ResultWriter {
     [[nodiscard]] bool is_stale() const;
     /// Time of the last series record that is in the file, 0 before the first one (s).
     [[nodiscard]] double written_until() const;
+    /// True once the file was found deleted, moved, replaced or cut off.
+    [[nodiscard]] bool is_lost() const;
     /// Brings the file up to date with what was appended, and its attributes with `footer`. The
     /// file is at most 2 s old where this is called as soon as is_stale().
     void flush(const ResultFooter& footer);
+    /// Returns once the disk itself has what was flushed.
+    void sync();
     /// Flushes and closes the file. After an error, records that did not reach the file are given
     /// up and the footer alone is written.
     void close(const ResultFooter& footer);
 
   private:
     struct Impl;
+    explicit ResultWriter(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drillstrand/new_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag.hpp"
 
@@ -33,14 +34,17 @@ struct TorqueDragDataset {
 const std::vector<TorqueDragDataset>& torque_drag_depth_datasets();
 const std::vector<TorqueDragDataset>& torque_drag_profile_datasets();
 
-/// Writes a file; an existing one of that name is replaced once the new one is sound. Throws
-/// ResultError where it cannot be written.
-void write_torque_drag(const std::filesystem::path& path, const TorqueDragResult& result);
+/// Writes a file, which takes its name once it is sound. Throws ResultError where it cannot be
+/// written.
+void write_torque_drag(const std::filesystem::path& path, const TorqueDragResult& result,
+                       Existing existing = Existing::replace);
 
 /// Comma-separated values in SI, one line per depth of the bit, or per segment at the last depth;
 /// columns of all motions, MOTION_NAME[UNIT]. Numbers that are missing are nan.
-void write_torque_drag_table(const std::filesystem::path& path, const TorqueDrag& study);
-void write_torque_drag_profile_table(const std::filesystem::path& path, const TorqueDrag& study);
+void write_torque_drag_table(const std::filesystem::path& path, const TorqueDrag& study,
+                             Existing existing = Existing::replace);
+void write_torque_drag_profile_table(const std::filesystem::path& path, const TorqueDrag& study,
+                                     Existing existing = Existing::replace);
 
 /// Whether a file is one of torque and drag. Throws ResultError where it is no result file.
 bool holds_torque_drag(const std::filesystem::path& path);
