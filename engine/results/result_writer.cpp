@@ -219,15 +219,17 @@ H5::H5File open_file(const fs::path& path) {
 }
 
 /// Throws ResultError where another string or integrator made the file.
-void require_same_run(const H5::H5File& file, const ResultHeader& header) {
-    ResultHeader found;
-    hdf5::read_mesh(file, "", found);
-    hdf5::read_attribute(file.openGroup("/"), "integrator", found.integrator);
-    if (found.node_s != header.node_s || found.segment_s != header.segment_s)
-        throw ResultError("it holds the results of another string");
-    if (found.integrator != header.integrator)
-        throw ResultError(
-            fmt::format("it was made by {}, not by {}", found.integrator, header.integrator));
+void require_same_run(const fs::path& path, const ResultHeader& header) {
+    hdf5::read_file(path, [&](hdf5::UntrustedFile& file) {
+        ResultHeader found;
+        hdf5::read_mesh(file, "", found);
+        hdf5::read_attribute(file.hdf5().openGroup("/"), "integrator", found.integrator);
+        if (found.node_s != header.node_s || found.segment_s != header.segment_s)
+            throw ResultError("it holds the results of another string");
+        if (found.integrator != header.integrator)
+            throw ResultError(
+                fmt::format("it was made by {}, not by {}", found.integrator, header.integrator));
+    });
 }
 
 /// Everything in HDF5 that is open while a result file is written.
@@ -245,8 +247,8 @@ struct OpenFile {
 
     OpenFile(const fs::path& path, const ResultHeader& header, hsize_t series_records,
              hsize_t profile_records)
-        : file(open_file(path)),
-          root((require_same_run(file, header), file.openGroup("/"))),
+        : file((require_same_run(path, header), open_file(path))),
+          root(file.openGroup("/")),
           series(file, series_datasets(), header.segment_s.size(), series_records),
           profiles(file, profile_datasets(), header.segment_s.size(), profile_records) {}
 

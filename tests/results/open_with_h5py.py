@@ -29,14 +29,20 @@ SHAPES = {
     "/series/bit_position": (4, 3),
     "/series/head_rotation_rate": (4,),
     "/series/bit_rotation_rate": (4,),
+    "/series/hook_load": (4,),
+    "/series/surface_torque": (4,),
+    "/series/weight_on_bit": (4,),
+    "/series/bit_torque": (4,),
     "/series/kinetic_energy": (4,),
     "/series/elastic_energy": (4,),
+    "/series/spring_energy": (4,),
     "/series/potential_energy": (4,),
     "/series/work": (4,),
     "/series/dissipation": (4,),
     "/series/step_size": (4,),
     "/series/time_error": (4,),
     "/series/max_penetration": (4,),
+    "/series/relative_penetration": (4,),
     "/series/contact_nodes": (4,),
     "/series/impacts": (4,),
     "/series/contact_changes": (4,),
@@ -50,6 +56,7 @@ SHAPES = {
     "/profiles/well_depth": (2, 8),
     "/profiles/contact_force": (2, 8, 3),
     "/profiles/normal_force": (2, 8),
+    "/profiles/side_force": (2, 8),
 }
 TEXTS = ["title", "case", "version", "commit", "integrator", "status"]
 NUMBERS = ["threads", "wall_seconds", "steps", "steps_rejected", "energy_residual"]

@@ -189,7 +189,7 @@ TEST(Resuming, WhatIsNotThisRunIsRefusedAndStaysAsItIs) {
                 HasSubstr("No such file or directory"));
     std::ofstream(folder / "text.h5") << "title = \"not a result\"\n";
     EXPECT_THAT(error_of_resuming(folder / "text.h5", header(), 0, 0),
-                testing::StartsWith((folder / "text.h5").string() + ": cannot go on with it: "));
+                testing::StartsWith((folder / "text.h5").string() + ": not a result file"));
 }
 
 TEST(Resuming, IsRefusedWhileAnotherWriterGoesOn) {
