@@ -43,8 +43,8 @@ void require_regular(const fs::path& path, int failure, const struct stat& statu
     if (!S_ISREG(status.st_mode)) cannot_read(path, "not a regular file");
 }
 
-/// An open regular file. HDF5 opens it by its number, so that what is read is what was checked,
-/// and opening never waits: the name may have become a pipe in the meantime.
+/// An open regular file. It is looked at before it is opened: opening a pipe waits for a writer,
+/// and opening a device may move a tape.
 class OpenFile {
   public:
     explicit OpenFile(const fs::path& path) : path_(path) {
@@ -77,12 +77,6 @@ class OpenFile {
         return bytes;
     }
 
-    /// A name under which HDF5 opens this very file; its path where the system has no such names.
-    [[nodiscard]] std::string name() const {
-        const std::string name = "/proc/self/fd/" + std::to_string(number_);
-        return ::access(name.c_str(), R_OK) == 0 ? name : path_.string();
-    }
-
   private:
     const fs::path& path_;
     int number_ = -1;
@@ -112,11 +106,6 @@ void check_superblock(const OpenFile& file, const fs::path& path) {
     // asked for after the bytes were read: the file may grow meanwhile
     if (end > file.bytes())
         throw UnsoundFile(fmt::format("cut off: {} of its {} bytes are there", file.bytes(), end));
-}
-
-H5::H5File open_checked(const OpenFile& file, const fs::path& path) {
-    check_superblock(file, path);
-    return {file.name(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, file_access()};
 }
 
 hsize_t product(hsize_t left, hsize_t right) {
@@ -245,7 +234,8 @@ std::string short_text(const H5::Attribute& attribute, const H5::DataType& type)
 
 UntrustedFile::UntrustedFile(const fs::path& path) {
     const OpenFile file(path);
-    file_ = open_checked(file, path);
+    check_superblock(file, path);
+    file_ = H5::H5File(path, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, file_access());
     bytes_ = file.bytes();
 }
 

@@ -260,7 +260,7 @@ def storage_kinds():
 
     def zeros(file):
         """Consistent, and a hundred times larger in memory than on the disk."""
-        count = 40000
+        count = 20000
         for name in ["series", "profiles"]:
             for entry in list(file[name]):
                 old = file[name][entry]

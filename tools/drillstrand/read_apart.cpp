@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 /// What reading may take: far more than any sound file of its size does.
 constexpr rlim_t seconds_of_any_file = 4;
 constexpr rlim_t bytes_per_second = rlim_t{10} << 20;
-constexpr std::size_t memory_of_any_file = std::size_t{512} << 20;
+constexpr std::size_t memory_of_any_file = std::size_t{256} << 20;
 constexpr std::size_t memory_per_byte = 64;
 /// How often the reading process looks at its memory, in its own time.
 constexpr suseconds_t watch_period = 10000;  // microseconds
