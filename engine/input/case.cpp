@@ -4,6 +4,7 @@
 
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 
 namespace drillstrand {
 
@@ -48,9 +49,9 @@ Case read_case(const std::filesystem::path& path,
     Case result;
     result.title = read_title(root, path);
     result.gravity =
-        root.quantity("gravity", dimension::acceleration, result.gravity, not_negative);
+        root.quantity("gravity", dimension::acceleration, result.gravity, plausible::acceleration);
     result.run = read_run(root);
-    result.output = read_output(root);
+    result.output = read_output(root, result.run.duration);
     result.well = read_well(root, folder);
     result.fluid = read_fluid(root);
     const StringInput string = read_string(root, folder);
@@ -69,6 +70,13 @@ Case read_case(const std::filesystem::path& path,
     result.path = path;
     result.text = std::move(document.text);
     return result;
+}
+
+void require_duration(const Case& input) {
+    if (input.run.duration > 0) return;
+    throw InputError({input.path.string()},
+                     "missing key \"run.duration\"; expected a time such as 200 or \"5 min\" in a "
+                     "table [run]");
 }
 
 }  // namespace drillstrand

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <sstream>
@@ -16,7 +17,64 @@ namespace {
 
 constexpr std::string_view override_prefix = "--set ";
 
+// Keys of one path. The parser, the destructor and the writer of a document descend by calling
+// themselves, a level for each.
+constexpr int most_keys = 16;
+
+std::string too_many_keys() {
+    return fmt::format("a path of too many keys; expected at most {}, joined by dots", most_keys);
+}
+
+/// Finds paths of too many keys, as in a.a.a.a, of tables or of values.
+class LongPath {
+  public:
+    explicit LongPath(std::string_view text) : rest_(text) {}
+
+    /// The line of the first one; none: 0.
+    std::size_t line() {
+        while (!rest_.empty()) {
+            const char c = rest_.front();
+            if (c == '#') {
+                rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
+            } else if (c == '"' || c == '\'') {
+                skip_string(c);
+            } else {
+                if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots_ = 0;
+                if (c == '.' && ++dots_ >= most_keys) return line_;
+                take(1);
+            }
+        }
+        return 0;
+    }
+
+  private:
+    void take(std::size_t count) {
+        line_ += rest_.front() == '\n' ? 1 : 0;
+        rest_.remove_prefix(count);
+    }
+
+    /// A text on one line, or, in three quotes, on several.
+    void skip_string(char quote) {
+        const std::string three(3, quote);
+        const bool long_one = rest_.starts_with(three);
+        const std::string_view end = std::string_view(three).substr(0, long_one ? 3 : 1);
+        take(end.size());
+        while (!rest_.empty() && !rest_.starts_with(end)) {
+            if (rest_.front() == '\n' && !long_one) return;  // the parser will say so
+            const bool escape = quote == '"' && rest_.front() == '\\' && rest_.size() > 1;
+            take(escape && rest_[1] != '\n' ? 2 : 1);
+        }
+        if (!rest_.empty()) take(end.size());
+    }
+
+    std::string_view rest_;
+    std::size_t line_ = 1;
+    int dots_ = 0;
+};
+
 toml::table parse_file(const std::string& text, const std::string& file) {
+    if (const std::size_t line = LongPath(text).line(); line > 0)
+        throw InputError({file, line, 1}, too_many_keys());
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
@@ -55,6 +113,7 @@ class Override {
             if (previous == '\0') break;
             previous = c;
         }
+        if (std::count(path.begin(), path.end(), '.') >= most_keys) fail(too_many_keys());
         if (previous == '.' || previous == '\0') {
             fail(
                 fmt::format("{} is not a key path; expected keys joined by dots, as in "
@@ -64,6 +123,7 @@ class Override {
     }
 
     [[nodiscard]] toml::table parse(const std::string& path, const std::string& value) const {
+        if (LongPath(value).line() > 0) return parse_as_text(path, value);
         try {
             return toml::parse(fmt::format("{} = {}", path, value), source_);
         } catch (const toml::parse_error&) {

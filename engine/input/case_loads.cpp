@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 
 namespace drillstrand {
 
 namespace {
-
-constexpr double revolution_per_minute = 2 * std::numbers::pi / 60;  // rad/s
 
 // Dimension of a damping coefficient of velocity, N s/m.
 constexpr Dimension damping_coefficient{1, 0, -1};
@@ -32,9 +30,9 @@ void refuse_head_load(const Table& table, std::string_view key, std::string_view
 }
 
 Eigen::Vector3d read_direction(const Value& value) {
-    const Eigen::Vector3d direction = value.vector(dimension::none);
-    const double length = direction.stableNorm();
-    if (!(length > 0)) value.fail("has no length; expected a vector that is not zero");
+    const Eigen::Vector3d direction = value.vector(dimension::none, {.low = -1e9, .high = 1e9});
+    const double length = direction.norm();
+    if (length < 1e-9) value.fail("has no length; expected a vector that is not zero");
     return direction / length;
 }
 
@@ -43,7 +41,8 @@ Eigen::Vector3d read_direction(const Value& value) {
 FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase& contact) {
     const FrictionCoefficients& standing = contact.static_friction;
     const FrictionCoefficients& usual = contact.dynamic_friction;
-    const std::optional<Value> value = table.find("dynamic_friction");
+    const std::optional<Value> value =
+        table.find("dynamic_friction", fmt::format("{}", usual.axial));
     if (!value) {
         return {std::min(usual.axial, standing.axial),
                 std::min(usual.azimuthal, standing.azimuthal)};
@@ -62,7 +61,7 @@ FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase
 
 FrictionCoefficients read_friction(const Value& value) {
     if (!value.is_list()) {
-        const double both = value.number(not_negative);
+        const double both = value.number(plausible::friction);
         return {both, both};
     }
     const std::vector<Value> parts = value.elements("a number or [axial, azimuthal]");
@@ -70,7 +69,7 @@ FrictionCoefficients read_friction(const Value& value) {
         value.fail(
             fmt::format("has {} entries; expected a number or [axial, azimuthal]", parts.size()));
     }
-    return {parts[0].number(not_negative), parts[1].number(not_negative)};
+    return {parts[0].number(plausible::friction), parts[1].number(plausible::friction)};
 }
 
 HeadCase read_head(const Table& root) {
@@ -78,16 +77,16 @@ HeadCase read_head(const Table& root) {
         root.subtable("head", {"position", "direction", "motion", "force", "moment", "rotation"});
     HeadCase head;
     if (const std::optional<Value> position = table.find("position")) {
-        head.position = position->vector(dimension::length);
+        head.position = position->vector(dimension::length, plausible::coordinate);
     }
     if (const std::optional<Value> direction = table.find("direction")) {
         head.direction = read_direction(*direction);
     }
     head.motion = table.choice<HeadMotion>(
         "motion", head.motion, {{"driven", HeadMotion::driven}, {"free", HeadMotion::free}});
-    head.force = table.vector_schedule("force", dimension::force);
-    head.moment = table.vector_schedule("moment", dimension::moment);
-    head.rotation = table.scalar_schedule("rotation", dimension::frequency);
+    head.force = table.vector_schedule("force", dimension::force, plausible::load);
+    head.moment = table.vector_schedule("moment", dimension::moment, plausible::load);
+    head.rotation = table.scalar_schedule("rotation", dimension::frequency, plausible::rotation);
     if (head.motion == HeadMotion::driven) {
         if (!is_zero(head.force)) refuse_head_load(table, "force", "free");
         if (!is_zero(head.moment)) refuse_head_load(table, "moment", "free");
@@ -105,33 +104,33 @@ BitCase read_bit(const Table& root, const StringCase& string) {
 
     const bool in_well = root.find("well").has_value();
     BitCase bit;
-    bit.torque = table.scalar_schedule("torque", dimension::moment, not_negative);
+    bit.torque = table.scalar_schedule("torque", dimension::moment, plausible::load_or_none);
     if (const std::optional<Value> friction = table.find("friction")) {
-        bit.friction = friction->number(not_negative);
+        bit.friction = friction->number(plausible::friction);
         if (string.components.back().outer_diameter == 0) {
             friction->fail(
                 "needs the bit's radius; expected an outer_diameter in the last component");
         }
     }
-    // Friction of a bit that pulls would drive the rotation.
-    bit.weight =
-        table.scalar_schedule("weight", dimension::force, bit.friction ? not_negative : any_value);
+    // the rock pushes, it does not pull
+    bit.weight = table.scalar_schedule("weight", dimension::force, plausible::load_or_none);
     bit.smoothing_speed =
-        table.quantity("smoothing_speed", dimension::frequency, revolution_per_minute, positive);
+        table.quantity("smoothing_speed", dimension::frequency,
+                       unit_factor("rpm", dimension::frequency), plausible::slow_rotation);
     bit.direction = table.choice<BitDirection>(
         "direction", in_well ? BitDirection::well : BitDirection::follower,
         {{"well", BitDirection::well}, {"follower", BitDirection::follower}});
     if (bit.direction == BitDirection::well && !in_well) {
         table.require("direction", "").fail("is \"well\" without a well; expected \"follower\"");
     }
-    bit.contact_length =
-        table.quantity("contact_length", dimension::length, bit.contact_length, not_negative);
+    bit.contact_length = table.quantity("contact_length", dimension::length, bit.contact_length,
+                                        plausible::length_or_none);
     if (bit.contact_length > 0 && !in_well) {
         table.require("contact_length", "").fail("has no effect; expected it with a well");
     }
-    bit.force = table.vector_schedule("force", dimension::force);
-    bit.dead_moment = table.vector_schedule("dead_moment", dimension::moment);
-    bit.moment = table.vector_schedule("moment", dimension::moment);
+    bit.force = table.vector_schedule("force", dimension::force, plausible::load);
+    bit.dead_moment = table.vector_schedule("dead_moment", dimension::moment, plausible::load);
+    bit.moment = table.vector_schedule("moment", dimension::moment, plausible::load);
     return bit;
 }
 
@@ -142,16 +141,18 @@ ContactCase read_contact(const Table& root) {
     table.refuse_both("normal_damping", "restitution");
 
     ContactCase contact;
-    contact.normal_stiffness =
-        table.quantity("normal_stiffness", dimension::pressure, contact.normal_stiffness, positive);
+    contact.normal_stiffness = table.quantity("normal_stiffness", dimension::pressure,
+                                              contact.normal_stiffness, plausible::wall_stiffness);
     contact.normal_damping = table.quantity("normal_damping", dimension::viscosity,
-                                            contact.normal_damping, not_negative);
+                                            contact.normal_damping, plausible::wall_damping);
     if (const std::optional<Value> restitution = table.find("restitution")) {
         contact.restitution = restitution->number({.low = 0, .high = 1});
     }
-    contact.tangential_stiffness = table.quantity("tangential_stiffness", dimension::pressure,
-                                                  contact.tangential_stiffness, positive);
-    if (const std::optional<Value> value = table.find("static_friction")) {
+    contact.tangential_stiffness =
+        table.quantity("tangential_stiffness", dimension::pressure, contact.tangential_stiffness,
+                       plausible::wall_stiffness);
+    const std::string usual = fmt::format("{}", contact.static_friction.axial);
+    if (const std::optional<Value> value = table.find("static_friction", usual)) {
         contact.static_friction = read_friction(*value);
     }
     contact.dynamic_friction = read_dynamic_friction(table, contact);
@@ -165,11 +166,11 @@ DampingCase read_damping(const Table& root) {
     const Table table = root.subtable("damping", {"internal", "external", "kelvin_voigt"});
     DampingCase damping;
     damping.internal =
-        table.quantity("internal", damping_coefficient, damping.internal, not_negative);
+        table.quantity("internal", damping_coefficient, damping.internal, plausible::damping);
     damping.external =
-        table.quantity("external", damping_coefficient, damping.external, not_negative);
+        table.quantity("external", damping_coefficient, damping.external, plausible::damping);
     damping.kelvin_voigt =
-        table.quantity("kelvin_voigt", dimension::time, damping.kelvin_voigt, not_negative);
+        table.quantity("kelvin_voigt", dimension::time, damping.kelvin_voigt, plausible::delay);
     return damping;
 }
 

@@ -1,32 +1,37 @@
 #include <fmt/format.h>
 
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 
 namespace drillstrand {
 
 namespace {
 
 constexpr int most_threads = 4096;
+constexpr double most_records = 1e8;
 
 double read_tolerance(const Value& value, IntegratorKind integrator) {
     if (integrator == IntegratorKind::dormand_prince)
         value.fail(
             "is for the leapfrog; dormand-prince has run.absolute_tolerance and "
             "run.relative_tolerance");
-    return value.number({.low = 0, .high = 1, .low_open = true});
+    return value.number({.low = 1e-12, .high = 1});
 }
 
 }  // namespace
 
 InitialCase read_initial(const Table& root) {
-    const Table table = root.subtable("initial", {"state", "curvature", "offset"});
+    const Table table =
+        root.subtable("initial", {"state", "curvature", "offset", "penetration_limit"});
     InitialCase initial;
     initial.state = table.choice<InitialState>("state", initial.state,
                                                {{"coaxial", InitialState::coaxial},
                                                 {"stress-free", InitialState::stress_free},
                                                 {"equilibrium", InitialState::equilibrium}});
-    initial.curvature = table.vector("curvature", dimension::curvature);
-    initial.offset = table.vector("offset", dimension::length);
+    initial.curvature = table.vector("curvature", dimension::curvature, plausible::curvature);
+    initial.offset = table.vector("offset", dimension::length, plausible::coordinate);
+    if (const std::optional<Value> limit = table.find("penetration_limit"))
+        initial.penetration_limit = limit->quantity(dimension::length, plausible::length_or_none);
     return initial;
 }
 
@@ -73,45 +78,77 @@ EquilibriumCase read_equilibrium(const Table& root) {
                                                      {"tripping_out", StringMotion::tripping_out},
                                                      {"sliding", StringMotion::sliding}});
     if (const std::optional<Value> value = table.find("axial_speed"))
-        equilibrium.axial_speed = value->quantity(speed);
+        equilibrium.axial_speed = value->quantity(speed, plausible::speed);
     if (const std::optional<Value> value = table.find("rotation"))
-        equilibrium.rotation = value->quantity(dimension::frequency);
+        equilibrium.rotation = value->quantity(dimension::frequency, plausible::rotation);
     check_rates(table, equilibrium);
     return equilibrium;
 }
 
 RunCase read_run(const Table& root) {
-    const Value value = root.require("run", "a table with duration");
-    const Table table(value, {"duration", "integrator", "cfl", "tolerance", "absolute_tolerance",
-                              "relative_tolerance", "stress_limit", "threads"});
+    const Table table =
+        root.subtable("run", {"duration", "integrator", "cfl", "tolerance", "absolute_tolerance",
+                              "relative_tolerance", "stress_limit", "threads", "reproducible"});
     RunCase run;
-    run.duration = table.require("duration", "a time such as 200 or \"5 min\"")
-                       .quantity(dimension::time, positive);
+    if (const std::optional<Value> duration = table.find("duration"))
+        run.duration = duration->quantity(dimension::time, plausible::duration);
     run.integrator =
         table.choice<IntegratorKind>("integrator", run.integrator,
                                      {{"dormand-prince", IntegratorKind::dormand_prince},
                                       {"leapfrog", IntegratorKind::leapfrog}});
-    run.cfl = table.number("cfl", run.cfl, {.low = 0, .high = 1, .low_open = true});
+    run.cfl = table.number("cfl", run.cfl, {.low = 1e-6, .high = 1});
     if (const std::optional<Value> tolerance = table.find("tolerance"))
         run.tolerance = read_tolerance(*tolerance, run.integrator);
-    run.stress_limit = table.number("stress_limit", run.stress_limit, not_negative);
-    run.absolute_tolerance = table.number("absolute_tolerance", run.absolute_tolerance, positive);
-    run.relative_tolerance = table.number("relative_tolerance", run.relative_tolerance, positive);
-    if (const std::optional<Value> threads = table.find("threads")) {
-        run.threads = threads->whole_number(0, most_threads);
-    }
+    run.stress_limit = table.number("stress_limit", run.stress_limit, plausible::factor_or_none);
+    constexpr Range step_tolerance{.low = 1e-16, .high = 1e6};
+    run.absolute_tolerance =
+        table.number("absolute_tolerance", run.absolute_tolerance, step_tolerance);
+    run.relative_tolerance =
+        table.number("relative_tolerance", run.relative_tolerance, step_tolerance);
+    run.threads = table.whole_number("threads", run.threads, 0, most_threads);
+    run.reproducible = table.boolean("reproducible", run.reproducible);
     return run;
 }
 
-OutputCase read_output(const Table& root) {
-    const Table table =
-        root.subtable("output", {"interval", "profile_interval", "checkpoint_interval"});
+namespace {
+
+/// Throws InputError where a run would write more records than anybody reads, or at times that
+/// rounding does not tell apart.
+void check_records(const Table& root, const char* key, double interval, double duration) {
+    const double records = duration / interval;
+    if (interval == 0 || records <= most_records) return;
+    const std::string limit = fmt::format("expected at most {:g}, an interval of at least {:.3g} s",
+                                          most_records, duration / most_records);
+    const std::optional<Value> output = root.find("output");
+    const toml::node* node = output ? (*output->node().as_table())[key].node() : nullptr;
+    const std::string path = fmt::format("output.{}", key);
+    if (node != nullptr)
+        Value(*node, path)
+            .fail(fmt::format("makes {:.3g} records in {:.6g} s; {}", records, duration, limit));
+    // then the duration is what the user wrote
+    const Value run = *root.find("run");
+    Value(*(*run.node().as_table())["duration"].node(), "run.duration")
+        .fail(fmt::format("makes {:.3g} records with {} = {:.6g} s; {}", records, path, interval,
+                          limit));
+}
+
+}  // namespace
+
+OutputCase read_output(const Table& root, double duration) {
+    const Table table = root.subtable(
+        "output", {"interval", "profile_interval", "checkpoint_interval", "side_force_window"});
     OutputCase output;
-    output.interval = table.quantity("interval", dimension::time, output.interval, positive);
-    output.profile_interval =
-        table.quantity("profile_interval", dimension::time, output.profile_interval, not_negative);
-    output.checkpoint_interval = table.quantity("checkpoint_interval", dimension::time,
-                                                output.checkpoint_interval, positive);
+    output.interval =
+        table.quantity("interval", dimension::time, output.interval, plausible::duration);
+    output.profile_interval = table.quantity("profile_interval", dimension::time,
+                                             output.profile_interval, plausible::duration_or_none);
+    output.checkpoint_interval =
+        table.quantity("checkpoint_interval", dimension::time, output.checkpoint_interval,
+                       plausible::duration_or_none);
+    output.side_force_window = table.quantity("side_force_window", dimension::length,
+                                              output.side_force_window, plausible::length);
+    check_records(root, "interval", output.interval, duration);
+    check_records(root, "profile_interval", output.profile_interval, duration);
     return output;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 
 namespace drillstrand {
 
@@ -28,7 +29,7 @@ StringInput read_string(const Table& root, const std::filesystem::path& folder) 
     StringInput input;
     input.where = table.where();
     input.string.shear_coefficient =
-        table.number("shear_coefficient", input.string.shear_coefficient, positive);
+        table.number("shear_coefficient", input.string.shear_coefficient, plausible::factor);
     std::vector<PlacedComponent> placed;
     if (const std::optional<Value> file = table.find("components")) {
         placed = read_component_file(folder / file->text(), file->where());
@@ -51,7 +52,7 @@ MeshCase read_mesh(const Table& root, double string_length) {
     MeshCase mesh;
     if (const std::optional<Value> element = table.find("element_length")) {
         const double segments =
-            std::round(string_length / element->quantity(dimension::length, positive));
+            std::round(string_length / element->quantity(dimension::length, plausible::length));
         if (segments > most_segments) {
             element->fail(
                 fmt::format("makes {:.0f} segments; expected at most {}", segments, most_segments));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 
 namespace drillstrand {
 
@@ -13,13 +14,13 @@ namespace {
 constexpr const char* some_depths =
     "a list of measured depths, or a table { from = ..., to = ..., step = ... }";
 
-constexpr double most_depths = 100'000;
+constexpr double most_depths = 10'000;
 
 /// A measured depth of the bit: below the start of the well and not below its end.
 double read_depth(const Value& value, const WellCase& well) {
     const double start = well.survey.front().measured_depth;
     const double end = well.survey.back().measured_depth;
-    const double depth = value.quantity(dimension::length);
+    const double depth = value.quantity(dimension::length, plausible::coordinate);
     // depths in feet differ from those of the survey by rounding
     constexpr double rounding = 1e-9;
     if (depth > start && depth <= end * (1 + rounding)) return depth;
@@ -36,7 +37,7 @@ std::vector<double> read_steps(const Value& value, const WellCase& well) {
     const Value step = table.require("step", "the distance of the depths");
     const double first = read_depth(table.require("from", "the first depth"), well);
     const double last = read_depth(to, well);
-    const double distance = step.quantity(dimension::length, positive);
+    const double distance = step.quantity(dimension::length, plausible::length);
     if (last < first)
         to.fail(fmt::format("is {:.9g} m; expected at least from, {:.9g} m", last, first));
     const double steps = (last - first) / distance;
@@ -53,7 +54,11 @@ std::vector<double> read_steps(const Value& value, const WellCase& well) {
 
 std::vector<double> read_list(const Value& value, const WellCase& well) {
     std::vector<double> depths;
-    for (const Value& entry : value.elements(some_depths)) {
+    const std::vector<Value> entries = value.elements(some_depths);
+    if (static_cast<double>(entries.size()) > most_depths)
+        value.fail(
+            fmt::format("has {} depths; expected at most {:.0f}", entries.size(), most_depths));
+    for (const Value& entry : entries) {
         const double depth = read_depth(entry, well);
         if (!depths.empty() && depth <= depths.back())
             entry.fail(fmt::format("is {:.9g} m; expected more than {:.9g} m, the depth before it",

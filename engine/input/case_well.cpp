@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "input/case_sections.hpp"
+#include "input/plausible.hpp"
 #include "input/survey.hpp"
 #include "input/wording.hpp"
 
@@ -14,20 +15,26 @@ namespace {
 // Sums of component lengths in feet differ from depths in feet by rounding.
 constexpr double length_rounding = 1e-9;
 
+constexpr std::size_t most_sections = 1000;
+
 std::vector<WellSectionCase> read_sections(const Value& list, double start) {
     std::vector<WellSectionCase> sections;
     double last = start;
-    for (const Value& value : list.elements("a list of tables [[well.section]]")) {
+    const std::vector<Value> values = list.elements("a list of tables [[well.section]]");
+    if (values.size() > most_sections)
+        list.fail(
+            fmt::format("has {} sections; expected at most {}", values.size(), most_sections));
+    for (const Value& value : values) {
         const Table table(value, {"to", "diameter"});
         const Value to = table.require("to", "the measured depth of the section's end");
-        const double end = to.quantity(dimension::length);
+        const double end = to.quantity(dimension::length, plausible::coordinate);
         if (end <= last) {
             to.fail(fmt::format(
                 "is {:.9g} m; expected more than {:.9g} m, where the section starts", end, last));
         }
         last = end;
         const Value diameter = table.require("diameter", "the diameter of the hole");
-        sections.push_back({end, diameter.quantity(dimension::length, positive)});
+        sections.push_back({end, diameter.quantity(dimension::length, plausible::diameter)});
     }
     if (sections.empty()) list.fail("is empty; expected at least one section");
     return sections;
@@ -76,8 +83,8 @@ std::optional<WellCase> read_well(const Table& root, const std::filesystem::path
     } else {
         const Value diameter =
             table.require("diameter", "a length such as \"12.25 in\", or [[well.section]]");
-        well.sections = {
-            {well.survey.back().measured_depth, diameter.quantity(dimension::length, positive)}};
+        well.sections = {{well.survey.back().measured_depth,
+                          diameter.quantity(dimension::length, plausible::diameter)}};
     }
     return well;
 }
@@ -89,22 +96,21 @@ std::optional<FluidCase> read_fluid(const Table& root) {
         *value, {"density", "viscosity", "inside", "drag", "axial_drag", "film", "added_mass"});
     FluidCase fluid;
     fluid.density = table.require("density", "a density such as \"10 ppg\"")
-                        .quantity(dimension::density, positive);
+                        .quantity(dimension::density, plausible::density);
     fluid.drag = table.boolean("drag", fluid.drag);
     // without a well the fluid is still: it buoys the string and does not drag it
     const bool drags = fluid.drag && root.find("well");
     if (drags || table.find("viscosity")) {
         fluid.viscosity =
             table.require("viscosity", "a viscosity such as \"1 cP\", or drag = false")
-                .quantity(dimension::viscosity, not_negative);
+                .quantity(dimension::viscosity, plausible::viscosity);
     }
     fluid.inside = table.choice<InsideOfPipe>(
         "inside", fluid.inside, {{"fluid", InsideOfPipe::fluid}, {"empty", InsideOfPipe::empty}});
     fluid.axial_drag = table.choice<AxialDrag>(
         "axial_drag", fluid.axial_drag,
         {{"eccentric", AxialDrag::eccentric}, {"concentric", AxialDrag::concentric}});
-    fluid.film = table.number("film", fluid.film,
-                              {.low = 0, .high = 1, .low_open = true, .high_open = true});
+    fluid.film = table.number("film", fluid.film, {.low = 1e-6, .high = 1, .high_open = true});
     fluid.added_mass = table.boolean("added_mass", fluid.added_mass);
     return fluid;
 }

@@ -14,6 +14,9 @@
 #include <utility>
 
 #include "input/delimited_table.hpp"
+#include "input/dimension_names.hpp"
+#include "input/key_notes.hpp"
+#include "input/plausible.hpp"
 #include "input/table.hpp"
 #include "input/text_file.hpp"
 #include "input/wording.hpp"
@@ -22,8 +25,14 @@ namespace drillstrand {
 
 namespace {
 
-// Shear modulus E / (2 (1 + nu)) positive and no negative compressibility.
-constexpr Range poisson_range{.low = -1, .high = 0.5, .low_open = true};
+// Shear modulus E / (2 (1 + nu)) positive and finite, and no negative compressibility.
+constexpr Range poisson_range{.low = -0.99, .high = 0.5};
+
+constexpr std::size_t most_components = 20'000;
+
+std::string too_many(std::size_t components) {
+    return fmt::format("has {} components; expected at most {}", components, most_components);
+}
 
 /// One component as it is written somewhere: its values by key.
 class ComponentSource {
@@ -74,7 +83,7 @@ class TableSource : public ComponentSource {
         return value->number(range);
     }
     [[nodiscard]] Eigen::Vector3d curvature() const override {
-        return table_.vector("curvature", dimension::curvature);
+        return table_.vector("curvature", dimension::curvature, plausible::curvature);
     }
     [[nodiscard]] SourceLocation where(std::string_view key) const override {
         const std::optional<Value> value = table_.find(key);
@@ -123,7 +132,8 @@ class RowSource : public ComponentSource {
         if (!column) return std::nullopt;
         const double value =
             table_.number(row_, *column) * table_.column_factor(*column, dimension, 1);
-        return checked(key, value, range);
+        return checked(key, value, range,
+                       fmt::format("{} {}", range.describe(), si_unit(dimension)));
     }
     [[nodiscard]] std::optional<double> number(std::string_view key,
                                                const Range& range) const override {
@@ -134,11 +144,11 @@ class RowSource : public ComponentSource {
             throw InputError(table_.columns()[*column].where,
                              fmt::format("column {} has the unit {}; expected none", key, unit));
         }
-        return checked(key, table_.number(row_, *column), range);
+        return checked(key, table_.number(row_, *column), range, range.describe());
     }
     [[nodiscard]] Eigen::Vector3d curvature() const override {
         const auto part = [this](std::string_view key) {
-            return quantity(key, dimension::curvature, any_value).value_or(0);
+            return quantity(key, dimension::curvature, plausible::curvature).value_or(0);
         };
         return {part("curvature_twist"), part("curvature_bend1"), part("curvature_bend2")};
     }
@@ -156,10 +166,11 @@ class RowSource : public ComponentSource {
         if (!column || table_.text(row_, *column).empty()) return std::nullopt;
         return column;
     }
-    [[nodiscard]] double checked(std::string_view key, double value, const Range& range) const {
+    [[nodiscard]] double checked(std::string_view key, double value, const Range& range,
+                                 const std::string& expected) const {
         if (!std::isfinite(value)) fail(key, "is too large; expected a finite number");
         if (!range.contains(value)) {
-            fail(key, fmt::format("is {}; expected {}", text(key).value_or(""), range.describe()));
+            fail(key, fmt::format("is {}; expected {}", text(key).value_or(""), expected));
         }
         return value;
     }
@@ -184,20 +195,30 @@ void refuse_unknown_columns(const DelimitedTable& table) {
 
 double require(std::optional<double> value, const ComponentSource& source, std::string_view key,
                std::string_view meaning) {
+    KeyNotes::required(source.path_of(key));
     if (!value) source.fail_missing(key, meaning);
     return *value;
 }
 
+double value_or(double standard, std::optional<double> value, const ComponentSource& source,
+                std::string_view key) {
+    KeyNotes::standard(source.path_of(key), fmt::format("{}", standard));
+    return value.value_or(standard);
+}
+
 void read_section_keys(const ComponentSource& source, Component& component) {
     component.bending_stiffness =
-        source.quantity("bending_stiffness", dimension::bending_stiffness, positive);
+        source.quantity("bending_stiffness", dimension::bending_stiffness, plausible::stiffness);
     component.torsional_stiffness =
-        source.quantity("torsional_stiffness", dimension::bending_stiffness, positive);
-    component.axial_stiffness = source.quantity("axial_stiffness", dimension::force, positive);
-    component.shear_stiffness = source.quantity("shear_stiffness", dimension::force, positive);
-    component.inertia = source.quantity("inertia", dimension::inertia_per_length, positive);
+        source.quantity("torsional_stiffness", dimension::bending_stiffness, plausible::stiffness);
+    component.axial_stiffness =
+        source.quantity("axial_stiffness", dimension::force, plausible::stiffness);
+    component.shear_stiffness =
+        source.quantity("shear_stiffness", dimension::force, plausible::stiffness);
+    component.inertia =
+        source.quantity("inertia", dimension::inertia_per_length, plausible::inertia);
     component.polar_inertia =
-        source.quantity("polar_inertia", dimension::inertia_per_length, positive);
+        source.quantity("polar_inertia", dimension::inertia_per_length, plausible::inertia);
 }
 
 bool all_stiffnesses_given(const Component& component) {
@@ -207,16 +228,18 @@ bool all_stiffnesses_given(const Component& component) {
 
 void read_diameters(const ComponentSource& source, Component& component) {
     const std::optional<double> outer =
-        source.quantity("outer_diameter", dimension::length, positive);
+        source.quantity("outer_diameter", dimension::length, plausible::diameter);
     // the polar inertia follows from the other one
     const bool needed = !all_stiffnesses_given(component) || !component.inertia;
+    KeyNotes::required(source.path_of("outer_diameter"));
     if (needed && !outer) {
         source.fail_missing("outer_diameter",
                             "a length such as \"5 in\", or all stiffnesses and inertias outright");
     }
     component.outer_diameter = outer.value_or(0);
-    component.inner_diameter =
-        source.quantity("inner_diameter", dimension::length, not_negative).value_or(0);
+    component.inner_diameter = value_or(
+        0, source.quantity("inner_diameter", dimension::length, plausible::diameter_or_none),
+        source, "inner_diameter");
     if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
         source.fail("inner_diameter",
                     fmt::format("is {:.9g} m; expected less than the outer diameter of {:.9g} m",
@@ -226,9 +249,9 @@ void read_diameters(const ComponentSource& source, Component& component) {
 
 double read_linear_density(const ComponentSource& source, const Component& component) {
     const std::optional<double> per_length =
-        source.quantity("linear_density", dimension::linear_density, positive);
+        source.quantity("linear_density", dimension::linear_density, plausible::linear_density);
     const std::optional<double> per_volume =
-        source.quantity("density", dimension::density, positive);
+        source.quantity("density", dimension::density, plausible::density);
     if (per_length && per_volume) {
         source.fail("density", fmt::format("excludes {}; expected one of the two",
                                            source.path_of("linear_density")));
@@ -246,7 +269,7 @@ double read_linear_density(const ComponentSource& source, const Component& compo
 
 double read_youngs_modulus(const ComponentSource& source, const Component& component) {
     const std::optional<double> modulus =
-        source.quantity("youngs_modulus", dimension::pressure, positive);
+        source.quantity("youngs_modulus", dimension::pressure, plausible::elasticity);
     if (all_stiffnesses_given(component)) return modulus.value_or(0);
     return require(modulus, source, "youngs_modulus",
                    "a pressure such as \"206 GPa\", or all four stiffnesses outright");
@@ -255,16 +278,19 @@ double read_youngs_modulus(const ComponentSource& source, const Component& compo
 PlacedComponent read_component(const ComponentSource& source) {
     Component component;
     component.name = source.text("name").value_or("");
-    component.length = require(source.quantity("length", dimension::length, positive), source,
-                               "length", "a length such as 9.1 or \"30 ft\"");
+    component.length = require(source.quantity("length", dimension::length, plausible::length),
+                               source, "length", "a length such as 9.1 or \"30 ft\"");
     read_section_keys(source, component);
     read_diameters(source, component);
     component.linear_density = read_linear_density(source, component);
     component.youngs_modulus = read_youngs_modulus(source, component);
     component.poisson_ratio =
-        source.number("poisson_ratio", poisson_range).value_or(component.poisson_ratio);
-    component.yield_strength = source.quantity("yield_strength", dimension::pressure, positive)
-                                   .value_or(component.yield_strength);
+        value_or(component.poisson_ratio, source.number("poisson_ratio", poisson_range), source,
+                 "poisson_ratio");
+    component.yield_strength =
+        value_or(component.yield_strength,
+                 source.quantity("yield_strength", dimension::pressure, plausible::elasticity),
+                 source, "yield_strength");
     component.curvature = source.curvature();
     return {component, source.where("outer_diameter")};
 }
@@ -273,7 +299,9 @@ PlacedComponent read_component(const ComponentSource& source) {
 
 std::vector<PlacedComponent> read_component_list(const Value& list) {
     std::vector<PlacedComponent> result;
-    for (const Value& value : list.elements("a list of tables [[string.component]]")) {
+    const std::vector<Value> values = list.elements("a list of tables [[string.component]]");
+    if (values.size() > most_components) list.fail(too_many(values.size()));
+    for (const Value& value : values) {
         result.push_back(read_component(TableSource(value)));
     }
     if (result.empty()) list.fail("is empty; expected at least one component");
@@ -284,6 +312,8 @@ std::vector<PlacedComponent> read_component_file(const std::filesystem::path& pa
                                                  const SourceLocation& asked_at) {
     const DelimitedTable table(read_text_file(path, asked_at), path.string());
     refuse_unknown_columns(table);
+    if (table.rows() > most_components)
+        throw InputError({path.string(), 1, 1}, "the table " + too_many(table.rows()));
     std::vector<PlacedComponent> result;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         result.push_back(read_component(RowSource(table, row)));

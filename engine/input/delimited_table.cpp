@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view blanks = " \t\r";
+constexpr std::size_t most_columns = 1000;
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(blanks);
@@ -55,8 +56,9 @@ std::string unquoted(std::string_view field) {
 
 }  // namespace
 
-DelimitedTable::DelimitedTable(const std::string& text, std::string file) : file_(std::move(file)) {
-    std::string_view rest = text;
+DelimitedTable::DelimitedTable(std::string text, std::string file)
+    : file_(std::move(file)), text_(std::move(text)) {
+    std::string_view rest = text_;
     if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
     for (std::size_t number = 1; !rest.empty(); ++number) {
         const std::size_t length = std::min(rest.find('\n'), rest.size());
@@ -71,11 +73,10 @@ DelimitedTable::DelimitedTable(const std::string& text, std::string file) : file
         if (line.find_first_not_of(" \t\r,") == std::string_view::npos) continue;
         if (trimmed(line).starts_with('#')) continue;
 
-        std::vector<Field> fields = split(line, number);
         if (columns_.empty()) {
-            set_header(fields);
+            set_header(split(line, number));
         } else {
-            add_row(std::move(fields), count_characters(line) + 1);
+            add_row(split(line, number), count_characters(line) + 1);
         }
     }
     if (columns_.empty()) {
@@ -86,28 +87,37 @@ DelimitedTable::DelimitedTable(const std::string& text, std::string file) : file
 std::vector<DelimitedTable::Field> DelimitedTable::split(std::string_view line,
                                                          std::size_t number) const {
     std::vector<Field> fields;
+    std::size_t counted = 0;  // bytes
+    std::size_t column = 1;   // of the byte after them
     for (std::size_t begin = 0; begin <= line.size();) {
         const std::size_t end = field_end(line, begin);
         const std::string_view whole = line.substr(begin, end - begin);
         const std::size_t indent = std::min(whole.find_first_not_of(blanks), whole.size());
-        const std::size_t column = count_characters(line.substr(0, begin + indent)) + 1;
+        column += count_characters(line.substr(counted, begin + indent - counted));
+        counted = begin + indent;
         const std::string_view content = trimmed(whole);
         if (std::count(content.begin(), content.end(), '"') % 2 != 0) {
             throw InputError({file_, number, column},
                              fmt::format("{} has an open quote; expected a closing one on the line",
                                          in_quotes(content)));
         }
-        fields.push_back({unquoted(content), number, column});
+        // what the file can hold fits
+        fields.push_back(
+            {content, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(column)});
+        if (fields.size() > most_columns)
+            throw InputError(
+                place(fields.back()),
+                fmt::format("the line has more fields; expected at most {} columns", most_columns));
         begin = end + 1;
     }
-    while (!columns_.empty() && fields.size() > columns_.size() && fields.back().text.empty()) {
+    while (!columns_.empty() && fields.size() > columns_.size() && fields.back().written.empty()) {
         fields.pop_back();
     }
     return fields;
 }
 
 void DelimitedTable::set_header(const std::vector<Field>& fields) {
-    if (fields.size() == 1 && fields.front().text.find_first_of(";\t") != std::string::npos) {
+    if (fields.size() == 1 && fields.front().written.find_first_of(";\t") != std::string::npos) {
         throw InputError(place(fields.front()),
                          "the header has no commas; expected columns separated by commas");
     }
@@ -122,7 +132,8 @@ void DelimitedTable::set_header(const std::vector<Field>& fields) {
 }
 
 DelimitedTable::Column DelimitedTable::read_header_field(const Field& field) const {
-    const std::string_view text = field.text;
+    const std::string content = unquoted(field.written);
+    const std::string_view text = content;
     const std::size_t open = text.find_first_of("[(");
     if (open == std::string_view::npos) return {lower_case(text), "", place(field)};
     const char closing = text[open] == '[' ? ']' : ')';
@@ -135,7 +146,7 @@ DelimitedTable::Column DelimitedTable::read_header_field(const Field& field) con
     return {lower_case(trimmed(text.substr(0, open))), std::string(trimmed(unit)), place(field)};
 }
 
-void DelimitedTable::add_row(std::vector<Field> fields, std::size_t end_column) {
+void DelimitedTable::add_row(const std::vector<Field>& fields, std::size_t end_column) {
     if (fields.size() != columns_.size()) {
         const SourceLocation where = fields.size() > columns_.size()
                                          ? place(fields[columns_.size()])
@@ -143,7 +154,7 @@ void DelimitedTable::add_row(std::vector<Field> fields, std::size_t end_column) 
         throw InputError(where, fmt::format("the row has {} fields; expected {} as in the header",
                                             fields.size(), columns_.size()));
     }
-    rows_.push_back(std::move(fields));
+    fields_.insert(fields_.end(), fields.begin(), fields.end());
 }
 
 std::optional<std::size_t> DelimitedTable::find_column(std::string_view name) const {
@@ -156,9 +167,15 @@ std::optional<std::size_t> DelimitedTable::find_column(std::string_view name) co
 std::size_t DelimitedTable::require_column(std::string_view name) const {
     const std::optional<std::size_t> column = find_column(name);
     if (column) return *column;
+    constexpr std::size_t enough = 20;
     std::vector<std::string_view> names;
-    for (const Column& known : columns_)
+    for (const Column& known : columns_) {
+        if (names.size() == enough) {
+            names.emplace_back("...");
+            break;
+        }
         names.push_back(known.name);
+    }
     throw InputError(columns_.front().where,
                      fmt::format("missing column {}; expected it beside {}", in_quotes(name),
                                  on_one_line(listed(names))));
@@ -175,16 +192,16 @@ double DelimitedTable::column_factor(std::size_t column, const Dimension& dimens
     }
 }
 
-const std::string& DelimitedTable::text(std::size_t row, std::size_t column) const {
-    return rows_[row][column].text;
+std::string DelimitedTable::text(std::size_t row, std::size_t column) const {
+    return unquoted(field(row, column).written);
 }
 
 SourceLocation DelimitedTable::where(std::size_t row, std::size_t column) const {
-    return place(rows_[row][column]);
+    return place(field(row, column));
 }
 
 double DelimitedTable::number(std::size_t row, std::size_t column) const {
-    const std::string& written = text(row, column);
+    const std::string written = text(row, column);
     std::string_view digits = written;
     if (digits.starts_with('+')) digits.remove_prefix(1);
     double value = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,11 +24,14 @@ class DelimitedTable {
         SourceLocation where;
     };
 
-    /// Throws InputError where `text` is not a table: not text, empty, no rows, ragged, a column
-    /// twice. `file` stands in messages.
-    DelimitedTable(const std::string& text, std::string file);
+    /// Throws InputError where `text` is not a table: not text, empty, ragged, a column twice, more
+    /// than 1000 columns. `file` stands in messages.
+    DelimitedTable(std::string text, std::string file);
+    // fields point into the text
+    DelimitedTable(const DelimitedTable&) = delete;
+    DelimitedTable& operator=(const DelimitedTable&) = delete;
 
-    [[nodiscard]] std::size_t rows() const { return rows_.size(); }
+    [[nodiscard]] std::size_t rows() const { return fields_.size() / columns_.size(); }
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
     [[nodiscard]] std::optional<std::size_t> find_column(std::string_view name) const;
     /// Throws InputError at the header where there is no such column.
@@ -36,7 +40,7 @@ class DelimitedTable {
     [[nodiscard]] double column_factor(std::size_t column, const Dimension& dimension,
                                        double standard) const;
 
-    [[nodiscard]] const std::string& text(std::size_t row, std::size_t column) const;
+    [[nodiscard]] std::string text(std::size_t row, std::size_t column) const;
     [[nodiscard]] SourceLocation where(std::size_t row, std::size_t column) const;
     /// The row itself: its first field.
     [[nodiscard]] SourceLocation where(std::size_t row) const { return where(row, 0); }
@@ -45,22 +49,26 @@ class DelimitedTable {
 
   private:
     struct Field {
-        std::string text;
-        std::size_t line = 0;
-        std::size_t column = 0;  // counted in characters
+        std::string_view written;  // in quotes where it is so in the file
+        std::uint32_t line = 0;
+        std::uint32_t column = 0;  // counted in characters
     };
 
     [[nodiscard]] std::vector<Field> split(std::string_view line, std::size_t number) const;
     void set_header(const std::vector<Field>& fields);
     [[nodiscard]] Column read_header_field(const Field& field) const;
-    void add_row(std::vector<Field> fields, std::size_t end_column);
+    void add_row(const std::vector<Field>& fields, std::size_t end_column);
+    [[nodiscard]] const Field& field(std::size_t row, std::size_t column) const {
+        return fields_[row * columns_.size() + column];
+    }
     [[nodiscard]] SourceLocation place(const Field& field) const {
         return {file_, field.line, field.column};
     }
 
     std::string file_;
+    std::string text_;
     std::vector<Column> columns_;
-    std::vector<std::vector<Field>> rows_;
+    std::vector<Field> fields_;  // row by row
 };
 
 }  // namespace drillstrand

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "input/delimited_table.hpp"
+#include "input/plausible.hpp"
 #include "input/text_file.hpp"
 
 namespace drillstrand {
@@ -19,6 +20,8 @@ constexpr double degree = std::numbers::pi / 180;
 // Turning by pi between two stations leaves the plane of the arc undefined; nearer than this the
 // arc's radius is lost in rounding.
 constexpr double least_distance_from_reversal = 1e-6;  // rad
+
+constexpr std::size_t most_stations = 1'000'000;
 
 // Inclinations of 180 degrees written in radians exceed pi by rounding.
 constexpr double inclination_rounding = 1e-12;  // rad
@@ -74,6 +77,10 @@ class SurveyReader {
 
     [[nodiscard]] SurveyStation station(std::size_t row) const {
         SurveyStation result{read(row, depth_), read(row, inclination_), read(row, azimuth_)};
+        if (!plausible::coordinate.contains(result.measured_depth))
+            throw InputError(table_.where(row, depth_.index),
+                             fmt::format("md is {}; expected {} m", table_.text(row, depth_.index),
+                                         plausible::coordinate.describe()));
         if (result.inclination < 0 ||
             result.inclination > std::numbers::pi + inclination_rounding) {
             throw InputError(table_.where(row, inclination_.index),
@@ -109,6 +116,10 @@ class SurveyReader {
 std::vector<SurveyStation> read_survey(const std::filesystem::path& path,
                                        const SourceLocation& asked_at) {
     const DelimitedTable table(read_text_file(path, asked_at), path.string());
+    if (table.rows() > most_stations)
+        throw InputError({path.string(), 1, 1},
+                         fmt::format("the survey has {} stations; expected at most {}",
+                                     table.rows(), most_stations));
     std::vector<SurveyStation> stations = SurveyReader(table).stations();
     if (stations.size() < 2) {
         throw InputError(

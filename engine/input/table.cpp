@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "input/key_notes.hpp"
 #include "input/wording.hpp"
 
 namespace drillstrand {
@@ -27,6 +28,9 @@ auto place(const toml::key& key) {
 Table::Table(const toml::table& table, std::string path,
              std::initializer_list<std::string_view> known)
     : table_(&table), path_(std::move(path)) {
+    for (const std::string_view key : known)
+        KeyNotes::known(path_of(key));
+    KeyNotes::type(path_, "table");
     refuse_unknown(known);
 }
 
@@ -62,7 +66,13 @@ std::optional<Value> Table::find(std::string_view key) const {
     return Value(*node, path_of(key));
 }
 
+std::optional<Value> Table::find(std::string_view key, const std::string& standard) const {
+    KeyNotes::standard(path_of(key), standard);
+    return find(key);
+}
+
 Value Table::require(std::string_view key, std::string_view meaning) const {
+    KeyNotes::required(path_of(key));
     std::optional<Value> value = find(key);
     if (!value) fail(fmt::format("missing key {}; expected {}", in_quotes(path_of(key)), meaning));
     return *value;
@@ -83,34 +93,41 @@ void Table::refuse_both(std::string_view first, std::string_view second) const {
 
 double Table::quantity(std::string_view key, const Dimension& dimension, double standard,
                        const Range& range) const {
-    const std::optional<Value> value = find(key);
+    const std::optional<Value> value = find(key, fmt::format("{}", standard));
     return value ? value->quantity(dimension, range) : standard;
 }
 
 double Table::number(std::string_view key, double standard, const Range& range) const {
-    const std::optional<Value> value = find(key);
+    const std::optional<Value> value = find(key, fmt::format("{}", standard));
     return value ? value->number(range) : standard;
 }
 
+int Table::whole_number(std::string_view key, int standard, int low, int high) const {
+    const std::optional<Value> value = find(key, fmt::format("{}", standard));
+    return value ? value->whole_number(low, high) : standard;
+}
+
 bool Table::boolean(std::string_view key, bool standard) const {
-    const std::optional<Value> value = find(key);
+    const std::optional<Value> value = find(key, standard ? "true" : "false");
     return value ? value->boolean() : standard;
 }
 
-Eigen::Vector3d Table::vector(std::string_view key, const Dimension& dimension) const {
-    const std::optional<Value> value = find(key);
-    return value ? value->vector(dimension) : Eigen::Vector3d::Zero();
+Eigen::Vector3d Table::vector(std::string_view key, const Dimension& dimension,
+                              const Range& range) const {
+    const std::optional<Value> value = find(key, "0");
+    return value ? value->vector(dimension, range) : Eigen::Vector3d::Zero();
 }
 
 ScalarSchedule Table::scalar_schedule(std::string_view key, const Dimension& dimension,
                                       const Range& range) const {
-    const std::optional<Value> value = find(key);
+    const std::optional<Value> value = find(key, "0");
     return value ? value->scalar_schedule(dimension, range) : ScalarSchedule();
 }
 
-VectorSchedule Table::vector_schedule(std::string_view key, const Dimension& dimension) const {
-    const std::optional<Value> value = find(key);
-    return value ? value->vector_schedule(dimension) : VectorSchedule();
+VectorSchedule Table::vector_schedule(std::string_view key, const Dimension& dimension,
+                                      const Range& range) const {
+    const std::optional<Value> value = find(key, "0");
+    return value ? value->vector_schedule(dimension, range) : VectorSchedule();
 }
 
 }  // namespace drillstrand

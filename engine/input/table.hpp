@@ -26,6 +26,9 @@ class Table {
 
     [[nodiscard]] std::string path_of(std::string_view key) const;
     [[nodiscard]] std::optional<Value> find(std::string_view key) const;
+    /// Of a key that, left out, means `standard`.
+    [[nodiscard]] std::optional<Value> find(std::string_view key,
+                                            const std::string& standard) const;
     /// The value of a key that must be there; `meaning` says in the message what to give.
     [[nodiscard]] Value require(std::string_view key, std::string_view meaning) const;
     /// The table of that name; an empty one where it is left out.
@@ -41,17 +44,22 @@ class Table {
     [[nodiscard]] double number(std::string_view key, double standard,
                                 const Range& range = any_value) const;
     [[nodiscard]] bool boolean(std::string_view key, bool standard) const;
-    [[nodiscard]] Eigen::Vector3d vector(std::string_view key, const Dimension& dimension) const;
+    [[nodiscard]] int whole_number(std::string_view key, int standard, int low, int high) const;
+    [[nodiscard]] Eigen::Vector3d vector(std::string_view key, const Dimension& dimension,
+                                         const Range& range = any_value) const;
     [[nodiscard]] ScalarSchedule scalar_schedule(std::string_view key, const Dimension& dimension,
                                                  const Range& range = any_value) const;
-    [[nodiscard]] VectorSchedule vector_schedule(std::string_view key,
-                                                 const Dimension& dimension) const;
+    [[nodiscard]] VectorSchedule vector_schedule(std::string_view key, const Dimension& dimension,
+                                                 const Range& range = any_value) const;
 
     template <class Meaning>
     [[nodiscard]] Meaning choice(
         std::string_view key, Meaning standard,
         std::initializer_list<std::pair<std::string_view, Meaning>> words) const {
-        const std::optional<Value> value = find(key);
+        std::string word;
+        for (const auto& [name, meaning] : words)
+            if (meaning == standard) word = name;
+        const std::optional<Value> value = find(key, '"' + word + '"');
         return value ? value->choice(words) : standard;
     }
 

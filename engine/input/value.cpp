@@ -8,6 +8,8 @@
 
 #include "input/case_document.hpp"
 #include "input/dimension_names.hpp"
+#include "input/key_notes.hpp"
+#include "input/plausible.hpp"
 #include "input/wording.hpp"
 
 namespace drillstrand {
@@ -23,28 +25,6 @@ std::string as_written(const toml::node& node) {
     if (const auto* list = node.as_array()) return list->empty() ? "an empty list" : "a list";
     if (node.is_table()) return "a table";
     return "a date or time";
-}
-
-/// Reads the points of a schedule; `read` reads the value of a pair.
-template <class Element, class Read>
-Schedule<Element> read_points(const Value& list, std::string_view expected, const Read& read) {
-    std::vector<double> times;
-    std::vector<Element> values;
-    for (const Value& point : list.elements(expected)) {
-        const std::vector<Value> pair = point.elements(expected);
-        if (pair.size() != 2) {
-            point.fail(fmt::format("has {} entries; expected [time, value]", pair.size()));
-        }
-        const double time = pair[0].quantity(dimension::time);
-        if (!times.empty() && time <= times.back()) {
-            pair[0].fail(fmt::format("is time {} s after {} s; expected ascending times", time,
-                                     times.back()));
-        }
-        times.push_back(time);
-        values.push_back(read(pair[1]));
-    }
-    if (times.empty()) list.fail_expected(expected);
-    return {std::move(times), std::move(values)};
 }
 
 }  // namespace
@@ -63,13 +43,13 @@ void Value::fail_expected(std::string_view expected) const {
     fail(fmt::format("is {}; expected {}", as_written(*node_), expected));
 }
 
-void Value::fail_choice(const std::vector<std::string_view>& known) const {
+std::string Value::one_of(const std::vector<std::string_view>& words) {
     std::string expected;
-    for (const std::string_view word : known) {
+    for (const std::string_view word : words) {
         if (!expected.empty()) expected += " or ";
         expected += in_quotes(word);
     }
-    fail_expected(expected);
+    return expected;
 }
 
 double Value::finite_number(std::string_view expected) const {
@@ -80,7 +60,16 @@ double Value::finite_number(std::string_view expected) const {
     return value;
 }
 
+void Value::note(std::string_view type, const std::string& range) const {
+    KeyNotes::type(path_, type, range);
+}
+
 double Value::quantity(const Dimension& dimension, const Range& range) const {
+    note(si_unit(dimension), range.describe());
+    return read_quantity(dimension, range);
+}
+
+double Value::read_quantity(const Dimension& dimension, const Range& range) const {
     double value = 0;
     if (const auto* written = node_->as_string()) {
         try {
@@ -91,17 +80,21 @@ double Value::quantity(const Dimension& dimension, const Range& range) const {
     } else {
         value = finite_number(fmt::format("a number in SI or {}", describe_dimension(dimension)));
     }
-    if (!range.contains(value)) fail_expected(range.describe());
+    if (!range.contains(value))
+        fail_expected(fmt::format("{} {}", range.describe(), si_unit(dimension)));
     return value;
 }
 
 double Value::number(const Range& range) const {
+    note("number", range.describe());
     const double value = finite_number("a number without a unit");
     if (!range.contains(value)) fail_expected(range.describe());
     return value;
 }
 
 int Value::whole_number(int low, int high) const {
+    const Range range{.low = static_cast<double>(low), .high = static_cast<double>(high)};
+    note("whole number", range.describe());
     const std::string expected = fmt::format("a whole number from {} to {}", low, high);
     const double value = finite_number(expected);
     if (value != std::floor(value) || value < low || value > high) fail_expected(expected);
@@ -109,11 +102,38 @@ int Value::whole_number(int low, int high) const {
 }
 
 bool Value::boolean() const {
+    note("true or false");
     if (!node_->is_boolean()) fail_expected("true or false");
     return node_->as_boolean()->get();
 }
 
+template <class Element, class Read>
+Schedule<Element> Value::read_points(std::string_view expected, const Read& read) const {
+    std::vector<double> times;
+    std::vector<Element> values;
+    for (const Value& point : elements(expected)) {
+        const std::vector<Value> pair = point.elements(expected);
+        if (pair.size() != 2) {
+            point.fail(fmt::format("has {} entries; expected [time, value]", pair.size()));
+        }
+        const double time = pair[0].read_quantity(dimension::time, plausible::instant);
+        if (!times.empty() && time <= times.back()) {
+            pair[0].fail(fmt::format("is time {} s after {} s; expected ascending times", time,
+                                     times.back()));
+        }
+        times.push_back(time);
+        values.push_back(read(pair[1]));
+    }
+    if (times.empty()) fail_expected(expected);
+    return {std::move(times), std::move(values)};
+}
+
 std::string Value::text() const {
+    note("text");
+    return read_text();
+}
+
+std::string Value::read_text() const {
     if (!node_->is_string()) fail_expected("a text in quotes");
     return node_->as_string()->get();
 }
@@ -129,31 +149,38 @@ std::vector<Value> Value::elements(std::string_view expected) const {
     return values;
 }
 
-Eigen::Vector3d Value::vector(const Dimension& dimension) const {
+Eigen::Vector3d Value::vector(const Dimension& dimension, const Range& range) const {
+    note(fmt::format("vector, {}", si_unit(dimension)), range.describe());
+    return read_vector(dimension, range);
+}
+
+Eigen::Vector3d Value::read_vector(const Dimension& dimension, const Range& range) const {
     const std::vector<Value> parts = elements("a list of three values");
     if (parts.size() != 3) {
         fail(fmt::format("has {} entries; expected a list of three values", parts.size()));
     }
     Eigen::Vector3d result;
     for (int k = 0; k < 3; ++k)
-        result[k] = parts[static_cast<std::size_t>(k)].quantity(dimension);
+        result[k] = parts[static_cast<std::size_t>(k)].read_quantity(dimension, range);
     return result;
 }
 
 ScalarSchedule Value::scalar_schedule(const Dimension& dimension, const Range& range) const {
-    if (!is_list()) return quantity(dimension, range);
-    return read_points<double>(
-        *this, "a value or a list of [time, value] pairs",
-        [&](const Value& value) { return value.quantity(dimension, range); });
+    note(fmt::format("schedule, {}", si_unit(dimension)), range.describe());
+    if (!is_list()) return read_quantity(dimension, range);
+    return read_points<double>("a value or a list of [time, value] pairs", [&](const Value& value) {
+        return value.read_quantity(dimension, range);
+    });
 }
 
-VectorSchedule Value::vector_schedule(const Dimension& dimension) const {
+VectorSchedule Value::vector_schedule(const Dimension& dimension, const Range& range) const {
+    note(fmt::format("schedule of vectors, {}", si_unit(dimension)), range.describe());
     const std::string_view expected = "[x, y, z] or a list of [time, [x, y, z]] pairs";
     const std::vector<Value> parts = elements(expected);
     if (parts.empty()) fail_expected(expected);
-    if (!parts.front().is_list()) return vector(dimension);
+    if (!parts.front().is_list()) return read_vector(dimension, range);
     return read_points<Eigen::Vector3d>(
-        *this, expected, [&](const Value& value) { return value.vector(dimension); });
+        expected, [&](const Value& value) { return value.read_vector(dimension, range); });
 }
 
 }  // namespace drillstrand

@@ -43,12 +43,14 @@ class Value {
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] std::string text() const;
     /// A list of three quantities.
-    [[nodiscard]] Eigen::Vector3d vector(const Dimension& dimension) const;
+    [[nodiscard]] Eigen::Vector3d vector(const Dimension& dimension,
+                                         const Range& range = any_value) const;
     /// A quantity, or a list of [time, quantity] in ascending time.
     [[nodiscard]] ScalarSchedule scalar_schedule(const Dimension& dimension,
                                                  const Range& range = any_value) const;
     /// A list of three quantities, or a list of [time, [x, y, z]] in ascending time.
-    [[nodiscard]] VectorSchedule vector_schedule(const Dimension& dimension) const;
+    [[nodiscard]] VectorSchedule vector_schedule(const Dimension& dimension,
+                                                 const Range& range = any_value) const;
 
     [[nodiscard]] bool is_list() const { return node_->is_array(); }
     /// The elements of a list.
@@ -58,17 +60,27 @@ class Value {
     template <class Meaning>
     [[nodiscard]] Meaning choice(
         std::initializer_list<std::pair<std::string_view, Meaning>> words) const {
-        const std::string word = text();
         std::vector<std::string_view> known;
-        for (const auto& [name, meaning] : words) {
-            if (name == word) return meaning;
+        for (const auto& [name, meaning] : words)
             known.push_back(name);
-        }
-        fail_choice(known);
+        const std::string expected = one_of(known);
+        note("word", expected);
+        const std::string word = read_text();
+        for (const auto& [name, meaning] : words)
+            if (name == word) return meaning;
+        fail_expected(expected);
     }
 
   private:
-    [[noreturn]] void fail_choice(const std::vector<std::string_view>& known) const;
+    /// "a" or "b".
+    static std::string one_of(const std::vector<std::string_view>& words);
+    void note(std::string_view type, const std::string& range = "") const;
+    [[nodiscard]] double read_quantity(const Dimension& dimension, const Range& range) const;
+    [[nodiscard]] Eigen::Vector3d read_vector(const Dimension& dimension, const Range& range) const;
+    [[nodiscard]] std::string read_text() const;
+    /// The points of a schedule; `read` reads the value of a pair.
+    template <class Element, class Read>
+    [[nodiscard]] Schedule<Element> read_points(std::string_view expected, const Read& read) const;
     [[nodiscard]] double finite_number(std::string_view expected) const;
 
     const toml::node* node_;

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <vector>
 
 #include "input/utf8.hpp"
 
@@ -14,6 +14,7 @@ namespace drillstrand {
 namespace {
 
 constexpr std::size_t longest_quote = 60;  // bytes
+constexpr std::size_t longest_name = 60;   // bytes that are compared
 constexpr std::size_t shortest_part = 4;   // letters by which a part of a name is told
 constexpr int letter_edit = 4;             // a wrong, missing or added letter
 constexpr int case_edit = 1;               // the right letter in the wrong case
@@ -27,9 +28,9 @@ int substitution(char a, char b) {
     return lower(a) == lower(b) ? case_edit : letter_edit;
 }
 
-/// Levenshtein distance with a small weight for case.
+/// Levenshtein distance with a small weight for case; `b` of at most longest_name bytes.
 int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<int> row(b.size() + 1);
+    std::array<int, longest_name + 1> row{};
     for (std::size_t j = 0; j <= b.size(); ++j)
         row[j] = static_cast<int>(j) * letter_edit;
     for (const char c : a) {
@@ -41,7 +42,7 @@ int edit_distance(std::string_view a, std::string_view b) {
             row[j + 1] = std::min({replaced, row[j] + letter_edit, row[j + 1] + letter_edit});
         }
     }
-    return row.back();
+    return row[b.size()];
 }
 
 }  // namespace
@@ -67,10 +68,11 @@ std::string listed(std::span<const std::string_view> names) {
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
     // Longer names than any candidate's cannot be near one, and would cost a large comparison.
-    if (name.size() > longest_quote) return {};
+    if (name.size() > longest_name) return {};
     std::string_view best;
     int least = std::max(letter_edit, static_cast<int>(name.size()) * letter_edit / 2);
     for (const std::string_view candidate : candidates) {
+        if (candidate.size() > longest_name) continue;
         const int distance = edit_distance(name, candidate);
         if (distance < least || (best.empty() && distance == least)) {
             least = distance;

@@ -70,51 +70,70 @@ void add_to_mean(Value& mean, const Value& value, double share) {
     mean += (value - mean) * share;
 }
 
-/// Means over a stretch of string: arithmetic for what adds up along it (mass, area, stress-free
-/// curvature), harmonic for stiffnesses, whose compliances add up, the least of yield loads. The
-/// radius is left out: it is a property of a point.
-SectionProperties mean_over(const Stretches& stretches, double from, double to) {
-    // Compliances are counted relative to the first stiffness met, so that no digit is lost where
-    // all are equal.
-    const SectionProperties* first = nullptr;
-    SectionProperties mean;
-    SectionProperties compliance;
-    double covered = 0;
-    for (std::size_t i = 0; i < stretches.property.size(); ++i) {
-        const double overlap =
-            std::min(to, stretches.boundary[i + 1]) - std::max(from, stretches.boundary[i]);
-        if (overlap <= 0) continue;
-        const SectionProperties& part = stretches.property[i];
-        if (!first) first = &part;
-        covered += overlap;
-        const double share = overlap / covered;
-        add_to_mean(mean.mass, part.mass, share);
-        add_to_mean(mean.inertia, part.inertia, share);
-        add_to_mean(mean.polar_inertia, part.polar_inertia, share);
-        add_to_mean(mean.metal_area, part.metal_area, share);
-        add_to_mean(mean.outer_area, part.outer_area, share);
-        add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
-        for (const auto load : yield_loads)
-            mean.yield.*load = std::min(mean.yield.*load, part.yield.*load);
-        for (const auto stiffness : stiffnesses)
-            add_to_mean(compliance.*stiffness, first->*stiffness / part.*stiffness, share);
-    }
-    for (const auto stiffness : stiffnesses)
-        mean.*stiffness = first->*stiffness / compliance.*stiffness;
-    return mean;
-}
+/// Walks down the string's stretches with places that never go up again.
+class Walk {
+  public:
+    explicit Walk(const Stretches& stretches) : stretches_(stretches) {}
 
-/// Outer radius at a point; the larger of the two at a joint, the last component's at the bit.
-double radius_at(const Stretches& stretches, double s) {
-    const double length = stretches.boundary.back();
-    const double rounding = 1e-12 * length;
-    if (s >= length - rounding) return stretches.property.back().outer_radius;
-    double radius = 0;
-    for (std::size_t i = 0; i < stretches.property.size(); ++i)
-        if (stretches.boundary[i] <= s + rounding && s - rounding <= stretches.boundary[i + 1])
-            radius = std::max(radius, stretches.property[i].outer_radius);
-    return radius;
-}
+    /// Means from one place to another: arithmetic for what adds up along the string (mass, area,
+    /// stress-free curvature), harmonic for stiffnesses, whose compliances add up, the least of
+    /// yield loads. The radius is left out: it is a property of a point.
+    SectionProperties mean_over(double from, double to) {
+        go_to(from);
+        // Compliances are counted relative to the first stiffness met, so that no digit is lost
+        // where all are equal.
+        const SectionProperties* first = nullptr;
+        SectionProperties mean;
+        SectionProperties compliance;
+        double covered = 0;
+        for (std::size_t i = here_; i < stretches_.property.size() && stretches_.boundary[i] < to;
+             ++i) {
+            const double overlap =
+                std::min(to, stretches_.boundary[i + 1]) - std::max(from, stretches_.boundary[i]);
+            if (overlap <= 0) continue;
+            const SectionProperties& part = stretches_.property[i];
+            if (!first) first = &part;
+            covered += overlap;
+            const double share = overlap / covered;
+            add_to_mean(mean.mass, part.mass, share);
+            add_to_mean(mean.inertia, part.inertia, share);
+            add_to_mean(mean.polar_inertia, part.polar_inertia, share);
+            add_to_mean(mean.metal_area, part.metal_area, share);
+            add_to_mean(mean.outer_area, part.outer_area, share);
+            add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
+            for (const auto load : yield_loads)
+                mean.yield.*load = std::min(mean.yield.*load, part.yield.*load);
+            for (const auto stiffness : stiffnesses)
+                add_to_mean(compliance.*stiffness, first->*stiffness / part.*stiffness, share);
+        }
+        for (const auto stiffness : stiffnesses)
+            mean.*stiffness = first->*stiffness / compliance.*stiffness;
+        return mean;
+    }
+
+    /// Outer radius at a point; the larger of the two at a joint, the last component's at the bit.
+    double radius_at(double s) {
+        const double length = stretches_.boundary.back();
+        const double rounding = 1e-12 * length;
+        if (s >= length - rounding) return stretches_.property.back().outer_radius;
+        go_to(s - rounding);
+        double radius = 0;
+        for (std::size_t i = here_;
+             i < stretches_.property.size() && stretches_.boundary[i] <= s + rounding; ++i)
+            radius = std::max(radius, stretches_.property[i].outer_radius);
+        return radius;
+    }
+
+  private:
+    /// The first stretch that does not end above.
+    void go_to(double s) {
+        while (here_ + 1 < stretches_.property.size() && stretches_.boundary[here_ + 1] < s)
+            ++here_;
+    }
+
+    const Stretches& stretches_;
+    std::size_t here_ = 0;
+};
 
 }  // namespace
 
@@ -124,21 +143,30 @@ StringMesh mesh_string(const StringCase& string, int segments) {
     const auto arc_length = [&](double position) { return total * (position / segments); };
 
     StringMesh mesh;
+    const auto count = static_cast<std::size_t>(segments);
+    for (auto* row : {&mesh.node_s, &mesh.segment_s, &mesh.length, &mesh.cell})
+        row->reserve(count + 1);
+    mesh.node.reserve(count + 1);
+    mesh.segment.reserve(count);
+    Walk cells(stretches);
+    Walk nodes(stretches);
     for (int k = 0; k <= segments; ++k) {
         const double from = arc_length(std::max(0.0, k - 0.5));
         const double to = arc_length(std::min<double>(segments, k + 0.5));
         const double s = arc_length(k);
         mesh.node_s.push_back(s);
         mesh.cell.push_back(to - from);
-        mesh.node.push_back(mean_over(stretches, from, to));
-        mesh.node.back().outer_radius = radius_at(stretches, s);
+        mesh.node.push_back(cells.mean_over(from, to));
+        mesh.node.back().outer_radius = nodes.radius_at(s);
     }
+    Walk whole(stretches);
+    Walk middles(stretches);
     for (int k = 0; k < segments; ++k) {
         const double middle = arc_length(k + 0.5);
         mesh.segment_s.push_back(middle);
         mesh.length.push_back(total / segments);
-        mesh.segment.push_back(mean_over(stretches, arc_length(k), arc_length(k + 1)));
-        mesh.segment.back().outer_radius = radius_at(stretches, middle);
+        mesh.segment.push_back(whole.mean_over(arc_length(k), arc_length(k + 1)));
+        mesh.segment.back().outer_radius = middles.radius_at(middle);
     }
     return mesh;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "model/pose.hpp"
 
@@ -79,11 +80,21 @@ Vector6 strain_between(const Pose& pose, const Eigen::Vector3d& director,
     return strain;
 }
 
+/// The pose at the end of a segment.
+Pose pose_after(const Pose& pose, double h, const Vector6& u) {
+    const SegmentPose step = segment_pose(h, u[0], u[1], u[2], u[3], u[4], u[5]);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(
+        &step.rotation[0][0]);
+    return {pose.frame * rotation,
+            pose.position + pose.frame * Eigen::Map<const Eigen::Vector3d>(step.position)};
+}
+
 /// Positions and directors of nodes on the axis of the well, `spacing` (m) apart along it.
 InitialNodes nodes_on_axis(const Well& well, const StringMesh& mesh, const Pose& head,
                            const std::vector<double>& spacing) {
     InitialNodes nodes;
-    nodes.position = {head.position};
+    nodes.position.reserve(spacing.size() + 1);
+    nodes.position.push_back(head.position);
     double depth = well.measured_depth_start();
     for (const double step : spacing) {
         depth += step;
@@ -98,11 +109,12 @@ InitialNodes nodes_on_axis(const Well& well, const StringMesh& mesh, const Pose&
 std::vector<Vector6> strains_between(const InitialNodes& nodes, const StringMesh& mesh,
                                      const Pose& head) {
     std::vector<Vector6> strains;
+    strains.reserve(mesh.length.size());
     Pose pose = head;
     for (std::size_t k = 0; k < mesh.length.size(); ++k) {
         const double h = mesh.length[k];
         strains.push_back(strain_between(pose, nodes.director[k + 1], nodes.position[k + 1], h));
-        pose = poses_from_strains(pose, {h}, {strains.back()}).back();
+        pose = pose_after(pose, h, strains.back());
     }
     return strains;
 }
@@ -110,6 +122,7 @@ std::vector<Vector6> strains_between(const InitialNodes& nodes, const StringMesh
 /// Stretch of the chords, along the mean of the two directors.
 std::vector<double> chord_stretches(const InitialNodes& nodes, const StringMesh& mesh) {
     std::vector<double> stretch;
+    stretch.reserve(mesh.length.size());
     for (std::size_t k = 0; k < mesh.length.size(); ++k) {
         const Eigen::Vector3d chord = (nodes.position[k + 1] - nodes.position[k]) / mesh.length[k];
         stretch.push_back(chord.dot((nodes.director[k] + nodes.director[k + 1]).normalized()));
@@ -125,8 +138,10 @@ InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const P
                                const Stretches& stretches) {
     constexpr int rounds = 20;
     constexpr double negligible = 1e-13;
+    constexpr double small = 1e-7;
     std::vector<double> spacing = mesh.length;
     InitialNodes nodes = nodes_on_axis(well, mesh, head, spacing);
+    double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
         const std::vector<double> stretch = stretches(nodes);
         double worst = 0;
@@ -134,7 +149,9 @@ InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const P
             worst = std::max(worst, std::abs(stretch[k] - 1));
             spacing[k] *= 2 - stretch[k];
         }
-        if (worst < negligible) break;
+        // where segments are short, rounding of positions is all that is left before that
+        if (worst < negligible || (worst < small && worst >= least)) break;
+        least = worst;
         nodes = nodes_on_axis(well, mesh, head, spacing);
     }
     return nodes;
@@ -143,6 +160,7 @@ InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const P
 std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, const Pose& head) {
     const InitialNodes nodes = unstretched_nodes(well, mesh, head, [&](const InitialNodes& trial) {
         std::vector<double> stretch;
+        stretch.reserve(mesh.length.size());
         for (const Vector6& strain : strains_between(trial, mesh, head))
             stretch.push_back(strain[3]);
         return stretch;

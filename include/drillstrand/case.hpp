@@ -1,5 +1,5 @@
 /// A case: everything a case file says, as plain validated values in SI units.
-/// The keys, their defaults and their ranges are documented in engine/input/README.md.
+/// The keys, their defaults and their ranges are documented in engine/input/KEYS.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -135,7 +135,7 @@ struct InitialCase {
     InitialState state = InitialState::coaxial;
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< added uniformly: twist, bend1, bend2
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< shift of the string (m)
-    std::optional<double> penetration_limit;  ///< deepest at the start (m); unset: the clearance
+    std::optional<double> penetration_limit;  ///< deepest in the wall (m); unset: the clearance
 };
 
 /// What a string does while its equilibrium is sought.
@@ -166,21 +166,22 @@ struct TorqueDragCase {
 enum class IntegratorKind { dormand_prince, leapfrog };
 
 struct RunCase {
-    double duration = 0;  ///< s
+    double duration = 0;  ///< s; 0: left out, for commands that do not simulate
     IntegratorKind integrator = IntegratorKind::leapfrog;
     double cfl = 0.9;
     double tolerance = 0;     ///< time error for which the leapfrog shortens its steps; 0: none
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
-    int threads = 0;  ///< 0: as many as the string gives work, up to all cores
+    int threads = 0;            ///< 0: as many as the string gives work, up to all cores
+    bool reproducible = false;  ///< equal bits on every instruction set
 };
 
 struct OutputCase {
     double interval = 0.1;             ///< s
     double profile_interval = 5;       ///< s; 0: first and last only
     double checkpoint_interval = 60;   ///< wall s; 0: none
-    double side_force_window = 9.144;  ///< m
+    double side_force_window = 9.144;  ///< over which side force per length is stated (m)
 };
 
 struct Case {
@@ -214,5 +215,8 @@ Case read_case(const std::filesystem::path& path,
 /// TOML.
 std::optional<std::string> first_difference(const std::string& case_text,
                                             const std::string& other_text);
+
+/// Throws InputError where the case states no duration of the run.
+void require_duration(const Case& input);
 
 }  // namespace drillstrand

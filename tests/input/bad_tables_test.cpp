@@ -102,7 +102,7 @@ TEST(BadTables, MistakesInAComponentTableAreLocated) {
         {"length,outer_diameter,linear_density,youngs_modulus\n400,,29,2e11\n",
          R"(pipes.csv:2:1: missing key "outer_diameter"; expected a length such as "5 in", or all stiffnesses and inertias outright)"},
         {"length,outer_diameter,linear_density,youngs_modulus\n400,0.1,-29,2e11\n",
-         "pipes.csv:2:9: linear_density is -29; expected more than 0"},
+         "pipes.csv:2:9: linear_density is -29; expected 1e-9 to 1e9 kg/m"},
         {"length,outer_diameter,linear_density,youngs_modulus\n400,0.1,30 ft,2e11\n",
          R"(pipes.csv:2:9: linear_density is "30 ft"; expected a number (the unit goes into the header))"},
         {"length,outer_diameter,linear_density,youngs_modulus,poisson_ratio[m]\n400,0.1,29,2e11,0."

@@ -93,6 +93,9 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
     EXPECT_EQ(input.output.interval, 0.1);
     EXPECT_EQ(input.output.profile_interval, 5);
     EXPECT_EQ(input.output.checkpoint_interval, 60);
+    EXPECT_EQ(input.output.side_force_window, 9.144);
+    EXPECT_FALSE(input.run.reproducible);
+    EXPECT_FALSE(input.initial.penetration_limit);
 }
 
 TEST(GoodCases, FluidInAWellHasItsDefaults) {
@@ -181,6 +184,7 @@ kelvin_voigt = 0
 state = "coaxial"
 curvature = [0, 1e-4, 0]
 offset = [0, "1 mm", 0]
+penetration_limit = "1 in"
 [run]
 duration = "1 h"
 integrator = "dormand-prince"
@@ -189,10 +193,12 @@ stress_limit = 0
 absolute_tolerance = 1e-8
 relative_tolerance = 1e-6
 threads = 2
+reproducible = true
 [output]
 interval = "10 ms"
 profile_interval = 0
 checkpoint_interval = "2 min"
+side_force_window = "10 ft"
 )");
     EXPECT_EQ(input.title, "All");
     EXPECT_DOUBLE_EQ(input.gravity, 32 * 0.3048);
@@ -263,6 +269,28 @@ checkpoint_interval = "2 min"
     EXPECT_DOUBLE_EQ(input.output.interval, 0.01);
     EXPECT_EQ(input.output.profile_interval, 0);
     EXPECT_EQ(input.output.checkpoint_interval, 120);
+    EXPECT_DOUBLE_EQ(input.output.side_force_window, 3.048);
+    EXPECT_TRUE(input.run.reproducible);
+    EXPECT_EQ(input.initial.penetration_limit, 0.0254);
+}
+
+TEST(GoodCases, OnlyARunNeedsADuration) {
+    const Case statics = read_text(replaced(smallest_case, "[run]\nduration = 1\n", ""));
+    EXPECT_EQ(statics.run.duration, 0);
+    try {
+        require_duration(statics);
+        FAIL() << "a run without a duration";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::EndsWith("smallest.toml: missing key \"run.duration\"; "
+                                                    "expected a time such as 200 or \"5 min\" "
+                                                    "in a table [run]"));
+    }
+    EXPECT_NO_THROW(require_duration(read_text(smallest_case)));
+}
+
+TEST(GoodCases, NoCheckpointsAreAskedForByAnIntervalOfZero) {
+    const Case input = read_text(smallest_case + "[output]\ncheckpoint_interval = 0\n");
+    EXPECT_EQ(input.output.checkpoint_interval, 0);
 }
 
 TEST(GoodCases, SchedulesAreLinearBetweenPointsAndConstantOutside) {

@@ -73,7 +73,7 @@ TEST_F(OverriddenCase, MistakesAreLocatedAtTheOverride) {
     EXPECT_EQ(message("run.duration", "5 kN"),
               "--set run.duration: run.duration: kN is a force; expected a time such as s, min, h");
     EXPECT_EQ(message("run.duration", "-5"),
-              "--set run.duration: run.duration is -5; expected more than 0");
+              "--set run.duration: run.duration is -5; expected 1e-9 to 1e9 s");
     EXPECT_EQ(message("bits.weight", "5"),
               R"(--set bits.weight: unknown key "bits"; did you mean "bit"?)");
     EXPECT_EQ(message("run.duration.end", "5"),

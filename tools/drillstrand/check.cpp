@@ -10,6 +10,7 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
+#include "drillstrand/units.hpp"
 #include "drillstrand/well.hpp"
 #include "step_estimate.hpp"
 #include "wording.hpp"
@@ -18,25 +19,26 @@ namespace drillstrand::program {
 
 namespace {
 
-constexpr double foot = 0.3048;                                  // m
-constexpr double inch = 0.0254;                                  // m
-constexpr double thousand_pounds_force = 4448.2216;              // N
-constexpr double pound_per_foot = 1.4881639;                     // kg/m
-constexpr double pound_per_gallon = 119.826427;                  // kg/m3
-constexpr double foot_pound_force = 1.3558179;                   // N m
-constexpr double degree = std::numbers::pi / 180;                // rad
-constexpr double revolution_per_minute = std::numbers::pi / 30;  // rad/s
+double in_feet(double metres) {
+    return metres / unit_factor("ft", dimension::length);
+}
+
+double in_degrees(double angle) {
+    return angle / unit_factor("deg", dimension::angle);
+}
 
 std::string length_text(double metres) {
-    return fmt::format("{:.6g} m ({:.5g} ft)", metres, metres / foot);
+    return fmt::format("{:.6g} m ({:.5g} ft)", metres, in_feet(metres));
 }
 
 std::string diameter_text(double metres) {
-    return fmt::format("{:.5g} m ({:.4g} in)", metres, metres / inch);
+    return fmt::format("{:.5g} m ({:.4g} in)", metres,
+                       metres / unit_factor("in", dimension::length));
 }
 
 std::string force_text(double newtons) {
-    return fmt::format("{:.4g} kN ({:.4g} klbf)", newtons / 1000, newtons / thousand_pounds_force);
+    return fmt::format("{:.4g} kN ({:.4g} klbf)", newtons / unit_factor("kN", dimension::force),
+                       newtons / unit_factor("klbf", dimension::force));
 }
 
 /// One line of the report: a name and what there is to say.
@@ -78,7 +80,7 @@ void print_component(const Component& component) {
         text += fmt::format(", {} outside, {} inside", diameter_text(component.outer_diameter),
                             diameter_text(component.inner_diameter));
     text += fmt::format(", {:.5g} kg/m ({:.4g} lb/ft)", component.linear_density,
-                        component.linear_density / pound_per_foot);
+                        component.linear_density / unit_factor("lb/ft", dimension::linear_density));
     line("  " + component.name, text);
 }
 
@@ -138,11 +140,12 @@ void print_well(const Case& input, const Scene& scene) {
                                length_text(survey.back().measured_depth)));
     line("vertical depth",
          length_text(station_positions(survey).back().z()) + " between its first and last station");
-    line("inclination", fmt::format("up to {:.4g} deg, at {}", steepest->inclination / degree,
+    line("inclination", fmt::format("up to {:.4g} deg, at {}", in_degrees(steepest->inclination),
                                     length_text(steepest->measured_depth)));
+    const double sharpest = largest_curvature(*input.well);
     line("dogleg", fmt::format("up to {:.3g} deg/30 m ({:.3g} deg/100 ft)",
-                               largest_curvature(*input.well) * 30 / degree,
-                               largest_curvature(*input.well) * 100 * foot / degree));
+                               sharpest / unit_factor("deg/30m", dimension::curvature),
+                               sharpest / unit_factor("deg/100ft", dimension::curvature)));
     for (const WellSectionCase& section : input.well->sections)
         line("diameter",
              std::isfinite(section.to)
@@ -157,8 +160,10 @@ void print_fluid(const Scene& scene) {
     if (!scene.fluid) return;
     line("fluid",
          fmt::format("{:.5g} kg/m3 ({:.4g} ppg), {:.4g} Pa s ({:.4g} cP), {} the pipe, {}",
-                     scene.fluid->density, scene.fluid->density / pound_per_gallon,
-                     scene.fluid->viscosity, scene.fluid->viscosity * 1000,
+                     scene.fluid->density,
+                     scene.fluid->density / unit_factor("ppg", dimension::density),
+                     scene.fluid->viscosity,
+                     scene.fluid->viscosity / unit_factor("cP", dimension::viscosity),
                      scene.fluid->inside == InsideOfPipe::fluid ? "also inside" : "not inside",
                      scene.features.drag ? "with drag" : "buoyancy only"));
 }
@@ -187,7 +192,7 @@ void print_loads(const Scene& scene) {
     if (scene.head.motion == HeadMotion::driven) {
         const double speed = largest(scene.head.rotation);
         line("head", fmt::format("held in place, rotation up to {:.4g} rad/s ({:.4g} rpm)", speed,
-                                 speed / revolution_per_minute));
+                                 speed / unit_factor("rpm", dimension::frequency)));
     } else {
         line("head", fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
                                  largest(scene.head.force), largest(scene.head.moment)));
@@ -201,8 +206,9 @@ void print_loads(const Scene& scene) {
              fmt::format("friction {:.3g} times pi R/4 times the weight", *bit.friction));
     else if (largest(bit.torque) > 0)
         line("bit torque",
-             fmt::format("up to {:.4g} kN m ({:.4g} klbf ft)", largest(bit.torque) / 1000,
-                         largest(bit.torque) / 1000 / foot_pound_force));
+             fmt::format("up to {:.4g} kN m ({:.4g} klbf ft)",
+                         largest(bit.torque) / unit_factor("kN m", dimension::moment),
+                         largest(bit.torque) / unit_factor("klbf ft", dimension::moment)));
     if (largest(bit.force) > 0) line("dead force", fmt::format("{:.4g} N", largest(bit.force)));
     if (largest(bit.dead_moment) > 0)
         line("dead couple", fmt::format("{:.4g} N m", largest(bit.dead_moment)));
@@ -228,9 +234,18 @@ void print_mesh(const Scene& scene) {
 
 void print_cost(const Case& input, const Scene& scene) {
     const StepEstimate estimate = estimate_step(input, scene);
+    fmt::print("Run\n");
+    if (input.run.duration == 0) {
+        line("duration",
+             "none given: the case is for commands that do not simulate; for run, "
+             "give run.duration");
+        line("time step",
+             fmt::format("at most about {:.2g} s, for {} ({:.2g} rad/s)", estimate.bound.step,
+                         estimate.bound.process, estimate.bound.rate));
+        return;
+    }
     const FirstSteps first = time_first_steps(input, scene);
     const double more_steps = std::max(estimate.steps, input.run.duration / first.mean_step);
-    fmt::print("Run\n");
     line("duration",
          fmt::format(
              "{:.6g} s, {}, {} thread{}", input.run.duration,

@@ -147,6 +147,7 @@ int run(const RunOptions& options) {
     const Isa isa = choose_isa(options.isa);
     const fs::path output = choose_output(options);
     Case input = read_case(options.case_path, options.overrides);
+    require_duration(input);
     if (options.threads >= 0) input.run.threads = options.threads;
     const Scene scene = starting_scene(input);
     IntegratorOptions integration = integrator_options(input.run);

@@ -1,5 +1,6 @@
 #include "step_estimate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -18,11 +19,14 @@ StepEstimate estimate_step(const Case& input, const Scene& scene) {
 FirstSteps time_first_steps(const Case& input, const Scene& scene) {
     using Clock = std::chrono::steady_clock;
     constexpr auto enough = std::chrono::milliseconds(300);
-    constexpr int steps_at_once = 20;
+    constexpr int most_steps_at_once = 20;
+    int steps_at_once = 1;
     const auto integrator = make_integrator(scene, integrator_options(input.run));
     const Clock::time_point start = Clock::now();
-    while (Clock::now() - start < enough && integrator->time() < input.run.duration)
+    while (Clock::now() - start < enough && integrator->time() < input.run.duration) {
         integrator->advance(input.run.duration, steps_at_once);
+        steps_at_once = std::min(2 * steps_at_once, most_steps_at_once);
+    }
     const double spent = std::chrono::duration<double>(Clock::now() - start).count();
     const auto count = static_cast<double>(integrator->statistics().steps);
     return {count, integrator->time() / count, integrator->threads(), spent / count};
