@@ -150,7 +150,8 @@ std::vector<Value> Value::elements(std::string_view expected) const {
 }
 
 Eigen::Vector3d Value::vector(const Dimension& dimension, const Range& range) const {
-    note(fmt::format("vector, {}", si_unit(dimension)), range.describe());
+    const bool has_unit = !(dimension == dimension::none);
+    note(has_unit ? fmt::format("vector, {}", si_unit(dimension)) : "vector", range.describe());
     return read_vector(dimension, range);
 }
 

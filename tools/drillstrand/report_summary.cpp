@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "drillstrand/units.hpp"
 #include "drillstrand/well.hpp"
 #include "report_data.hpp"
 #include "report_series.hpp"
@@ -19,23 +19,29 @@ namespace drillstrand::program {
 namespace {
 
 constexpr double large_energy_residual = 0.01;
-constexpr double degree = std::numbers::pi / 180;                // rad
-constexpr double revolution_per_minute = std::numbers::pi / 30;  // rad/s
+const double degree = unit_factor("deg", dimension::angle);                     // rad
+const double revolution_per_minute = unit_factor("rpm", dimension::frequency);  // rad/s
 
 /// A unit of SI and one of the field, as factors to SI.
 struct Units {
+    Units(const char* si_unit, const char* field_unit, const Dimension& dimension)
+        : si_name(si_unit),
+          si(unit_factor(si_unit, dimension)),
+          field_name(field_unit),
+          field(unit_factor(field_unit, dimension)) {}
+
     const char* si_name;
     double si;
     const char* field_name;
     double field;
 };
 
-constexpr Units force{"kN", 1e3, "klbf", 4448.2216152605};
-constexpr Units moment{"kN m", 1e3, "kft lbf", 1355.8179483314};
-constexpr Units length{"m", 1, "ft", 0.3048};
-constexpr Units diameter{"mm", 1e-3, "in", 0.0254};
-constexpr Units side_force{"kN/m", 1e3, "lbf/ft", 14.593902937206};
-constexpr Units mass{"t", 1e3, "klb", 453.59237};
+const Units force{"kN", "klbf", dimension::force};
+const Units moment{"kN m", "kft lbf", dimension::moment};
+const Units length{"m", "ft", dimension::length};
+const Units diameter{"mm", "in", dimension::length};
+const Units side_force{"kN/m", "lbf/ft", {1, 0, -2}};
+const Units mass{"t", "klb", {1, 0, 0}};
 
 /// A number in words, in SI and in the field's units.
 struct Item {
@@ -186,15 +192,17 @@ Items well_items(const WellCase& well) {
     const auto [least, most] = std::minmax_element(
         well.sections.begin(), well.sections.end(),
         [](const WellSectionCase& a, const WellSectionCase& b) { return a.diameter < b.diameter; });
-    return {range("measured-depth", "Measured depth of the survey",
-                  well.survey.front().measured_depth, well.survey.back().measured_depth, length),
-            quantity("vertical-depth", "Vertical depth of its end below its start",
-                     station_positions(well.survey).back().z(), length),
-            plain("inclination", "Greatest inclination", fmt::format("{:.4g}°", steepest / degree)),
-            {"dogleg", "Greatest dogleg severity",
-             fmt::format("{:.3g}° per 30 m", sharpest * 30 / degree),
-             fmt::format("{:.3g}° per 100 ft", sharpest * 30.48 / degree)},
-            range("hole", "Diameter of the hole", least->diameter, most->diameter, diameter)};
+    return {
+        range("measured-depth", "Measured depth of the survey", well.survey.front().measured_depth,
+              well.survey.back().measured_depth, length),
+        quantity("vertical-depth", "Vertical depth of its end below its start",
+                 station_positions(well.survey).back().z(), length),
+        plain("inclination", "Greatest inclination", fmt::format("{:.4g}°", steepest / degree)),
+        {"dogleg", "Greatest dogleg severity",
+         fmt::format("{:.3g}° per 30 m", sharpest / unit_factor("deg/30m", dimension::curvature)),
+         fmt::format("{:.3g}° per 100 ft",
+                     sharpest / unit_factor("deg/100ft", dimension::curvature))},
+        range("hole", "Diameter of the hole", least->diameter, most->diameter, diameter)};
 }
 
 /// Range of a series in words.

@@ -1,0 +1,231 @@
+/// engine/input/KEYS.md says of every key what the readers know of it, and of no other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "input/key_notes.hpp"
+#include "input/trial_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+/// Together these ask for every key.
+const std::vector<std::string> asking{R"(title = "Pipe in a well"
+[well]
+survey = "survey.csv"
+section = [{to = 300, diameter = 0.4}, {to = 520, diameter = 0.3}]
+[fluid]
+density = 1000
+viscosity = 1e-3
+[string]
+[[string.component]]
+name = "pipe"
+length = 500
+outer_diameter = 0.1
+inner_diameter = 0.08
+density = 7850
+youngs_modulus = 2e11
+poisson_ratio = 0.3
+yield_strength = 9e8
+curvature = [0, 0, 0]
+bending_stiffness = 1
+torsional_stiffness = 1
+axial_stiffness = 1
+shear_stiffness = 1
+inertia = 1
+polar_inertia = 1
+[mesh]
+element_length = 10
+segment_inertia = true
+[head]
+position = [0, 0, 0]
+direction = [0, 0, 1]
+rotation = 1
+[bit]
+weight = 1
+friction = 1
+[contact]
+restitution = 0.5
+static_friction = 0.6
+dynamic_friction = 0.4
+[initial]
+penetration_limit = 0.1
+[equilibrium]
+motion = "rotating"
+axial_speed = 1
+rotation = 1
+[torque_drag]
+depths = {from = 100, to = 500, step = 100}
+motions = ["rotating"]
+friction = 0.2
+[run]
+duration = 1
+tolerance = 0.01
+)",
+                                      R"([well]
+survey = "survey.csv"
+diameter = 0.3
+[string]
+components = "string.csv"
+[mesh]
+segments = 5
+[head]
+motion = "free"
+force = [1, 0, 0]
+moment = [1, 0, 0]
+[bit]
+torque = 1
+[torque_drag]
+depths = [100, 200]
+)"};
+
+std::map<std::string, KeyNote> notes_of_readers() {
+    TrialFolder folder;
+    folder.write("survey.csv", trial_survey);
+    folder.write("string.csv",
+                 "length,outer_diameter,linear_density,youngs_modulus\n9,0.1,29,2e11\n");
+    std::map<std::string, KeyNote> all;
+    for (const std::string& text : asking) {
+        folder.write("case.toml", text);
+        const KeyNotes notes;
+        static_cast<void>(folder.read("case.toml"));
+        for (const auto& [path, note] : notes.notes()) {
+            KeyNote& known = all[path];
+            known.types.insert(note.types.begin(), note.types.end());
+            known.ranges.insert(note.ranges.begin(), note.ranges.end());
+            known.standards.insert(note.standards.begin(), note.standards.end());
+            known.required = known.required || note.required;
+        }
+    }
+    return all;
+}
+
+struct Line {
+    std::string type;
+    std::string standard;
+    std::string range;
+};
+
+std::string without(const std::string& text, char unwanted) {
+    std::string result;
+    for (const char c : text)
+        if (c != unwanted) result += c;
+    return result;
+}
+
+std::string trimmed(const std::string& text) {
+    const std::size_t begin = text.find_first_not_of(' ');
+    if (begin == std::string::npos) return "";
+    return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, '|');)
+        cells.push_back(trimmed(without(cell, '`')));
+    return cells;
+}
+
+/// "well." of a heading with `[well]`, "string.component." of one with `[[string.component]]`.
+std::string prefix_of(const std::string& heading) {
+    const std::size_t begin = heading.find_first_not_of("# `[");
+    if (heading.find('[') == std::string::npos) return "";
+    return heading.substr(begin, heading.find(']') - begin) + ".";
+}
+
+std::map<std::string, Line> lines_of_page() {
+    std::ifstream page(DRILLSTRAND_SOURCE_DIR "/engine/input/KEYS.md");
+    std::map<std::string, Line> lines;
+    std::string prefix;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("## ")) prefix = prefix_of(line);
+        if (!line.starts_with("| `")) continue;
+        const std::vector<std::string> cells = cells_of(line);
+        EXPECT_EQ(cells.size(), 6U) << line;
+        EXPECT_TRUE(
+            lines.try_emplace(prefix + cells.at(1), cells.at(2), cells.at(3), cells.at(4)).second)
+            << line << " is there twice";
+    }
+    return lines;
+}
+
+/// Tables with a heading of their own.
+bool has_heading(const std::string& path) {
+    static const std::set<std::string> tables{
+        "",        "well",    "fluid",   "string",      "mesh",        "head", "bit",
+        "contact", "damping", "initial", "equilibrium", "torque_drag", "run",  "output"};
+    return tables.contains(path);
+}
+
+std::set<std::string> parts_of(const std::string& text, const std::string& separator) {
+    std::set<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = text.find(separator, begin)) != std::string::npos;
+         begin = end + separator.size())
+        parts.insert(text.substr(begin, end - begin));
+    parts.insert(text.substr(begin));
+    return parts;
+}
+
+TEST(KeyPage, HasTheKeysThatTheReadersKnowAndNoOthers) {
+    const auto notes = notes_of_readers();
+    const auto lines = lines_of_page();
+    for (const auto& [path, note] : notes)
+        if (!has_heading(path)) EXPECT_TRUE(lines.contains(path)) << path << " is not on the page";
+    for (const auto& [path, line] : lines)
+        EXPECT_TRUE(notes.contains(path)) << path << " is on the page, unknown to the readers";
+}
+
+TEST(KeyPage, HasTheirTypesAndRanges) {
+    const auto notes = notes_of_readers();
+    for (const auto& [path, line] : lines_of_page()) {
+        SCOPED_TRACE(path);
+        ASSERT_TRUE(notes.contains(path));
+        const KeyNote& note = notes.at(path);
+        if (note.types.empty()) {
+            // nothing asked for it: only these may go unasked
+            EXPECT_TRUE(path == "string.component") << "the cases of this test leave it out";
+            continue;
+        }
+        std::set<std::string> types = parts_of(line.type, " or ");
+        if (line.type == "true or false") types = {line.type};
+        EXPECT_EQ(types, note.types);
+        EXPECT_LE(note.ranges.size(), 2U);
+        for (const std::string& range : note.ranges) {
+            // a step of depths and the like have their own line
+            EXPECT_EQ(line.range.substr(0, line.range.find(';')), range);
+        }
+        if (note.ranges.empty()) EXPECT_EQ(line.range, "");
+    }
+}
+
+TEST(KeyPage, HasTheirDefaults) {
+    const auto notes = notes_of_readers();
+    for (const auto& [path, line] : lines_of_page()) {
+        SCOPED_TRACE(path);
+        ASSERT_TRUE(notes.contains(path));
+        const KeyNote& note = notes.at(path);
+        EXPECT_EQ(note.required, line.standard.starts_with("required"));
+        for (const std::string& standard : note.standards) {
+            char* end = nullptr;
+            const double value = std::strtod(standard.c_str(), &end);
+            if (*end == '\0')
+                EXPECT_NEAR(std::stod(line.standard), value, 1e-5 * std::abs(value));
+            else
+                EXPECT_NE(line.standard.find(standard), std::string::npos) << standard;
+        }
+        const bool states_a_number = !line.standard.empty() && std::isdigit(line.standard[0]) != 0;
+        if (note.standards.empty() && path != "torque_drag.depths") EXPECT_FALSE(states_a_number);
+    }
+}
+
+}  // namespace
+}  // namespace drillstrand
