@@ -10,6 +10,7 @@
 
 #include "drillstrand/error.hpp"
 #include "numerics/kernel.hpp"
+#include "numerics/ordered_sum.hpp"
 #include "state/save.hpp"
 
 namespace drillstrand {
@@ -64,14 +65,14 @@ DRILLSTRAND_KERNEL double block_error(const std::array<const double*, 7>& k, con
                                       double step, const Tolerances& tolerances) {
     constexpr std::array<double, 7> e = Tableau::error_weights();
     const Tolerances tol = tolerances;
-    double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
+    alignas(block_alignment) double square[block_size];
+#pragma omp simd
     for (std::size_t i = 0; i < block_size; ++i) {
         const double error = step * (e[0] * k[0][i] + e[2] * k[2][i] + e[3] * k[3][i] +
                                      e[4] * k[4][i] + e[5] * k[5][i] + e[6] * k[6][i]);
-        sum += scaled_error_squared(error, value[i], tol);
+        square[i] = scaled_error_squared(error, value[i], tol);
     }
-    return sum;
+    return ordered_sum(square, block_size);
 }
 
 /// Mean over the stages of a power, as the step's rates are weighted.

@@ -8,6 +8,7 @@
 #include "forces/implicit_contact.hpp"
 #include "forces/wall_rows.hpp"
 #include "numerics/kernel.hpp"
+#include "numerics/ordered_sum.hpp"
 #include "numerics/vector_math.hpp"
 
 namespace drillstrand {
@@ -602,16 +603,17 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     const HeldRows held(scratch);
     const RodNodes<in_well, damping, curved> nodes(model, rod, next, segments, first, kick, drift);
 
-    double outflow = 0.0;
+    // sums of counts are exact in any order, that of energies is not
+    alignas(block_alignment) double outflow[most_blocks_at_once * block_size];
     double faults = 0.0;
-#pragma omp simd reduction(+ : outflow, faults)
+#pragma omp simd reduction(+ : faults)
     for (std::size_t k = 0; k < count; ++k) {
         const NodeStep done = nodes.predict(k, held);
-        outflow += done.outflow;
+        outflow[k] = done.outflow;
         faults += done.faults;
     }
     if constexpr (!in_well) {
-        return {outflow, 0.0, 0.0, 0.0, faults};
+        return {ordered_sum(outflow, count), 0.0, 0.0, 0.0, faults};
     } else {
         const WellNodes<law> well(model, wall, nodes.c, held, first, kick);
         double leavers = 0.0;
@@ -649,23 +651,23 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
 
         const Triples& v_rod = damping == Damping::none ? held.v : held.v_rod;
         if (around == Around::wall_and_mud || contact) {
-#pragma omp simd reduction(+ : outflow, faults)
+#pragma omp simd reduction(+ : faults)
             for (std::size_t k = 0; k < count; ++k) {
                 const NodeStep done =
                     nodes.move(k, well.velocity(k), at(v_rod, k), held.s[k], held.s_rod[k]);
-                outflow += done.outflow;
+                outflow[k] += done.outflow;
                 faults += done.faults;
             }
         } else {
-#pragma omp simd reduction(+ : outflow, faults)
+#pragma omp simd reduction(+ : faults)
             for (std::size_t k = 0; k < count; ++k) {
                 const NodeStep done =
                     nodes.move(k, at(held.v, k), at(v_rod, k), held.s[k], held.s_rod[k]);
-                outflow += done.outflow;
+                outflow[k] += done.outflow;
                 faults += done.faults;
             }
         }
-        return {outflow, impacts, slips, leavers, faults};
+        return {ordered_sum(outflow, count), impacts, slips, leavers, faults};
     }
 }
 

@@ -6,6 +6,7 @@
 #include "forces/contact.hpp"
 #include "forces/fluid.hpp"
 #include "forces/wall_rows.hpp"
+#include "numerics/ordered_sum.hpp"
 
 namespace drillstrand {
 
@@ -224,11 +225,11 @@ DRILLSTRAND_KERNEL double segments_of_block(const StrandModel& model, const Tabl
                               c.shear_compliance[k] * n_dot.z};
         return -kelvin_voigt * c.length[k] * (dot(m_dot, k_dot) + dot(n_dot, g_dot));
     };
-    double power = 0.0;
-#pragma omp simd reduction(+ : power)
+    alignas(block_alignment) double power[block_size];
+#pragma omp simd
     for (std::size_t k = 0; k < block_size; ++k)
-        power += segment(k);
-    return power;
+        power[k] = segment(k);
+    return ordered_sum(power, block_size);
 }
 
 /// Product of the poses of a block's segments: pose of each node in the frame of the first, and the
@@ -435,11 +436,11 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
         out.p.set(k, p_dot);
         return power;
     };
-    double power = 0.0;
-#pragma omp simd reduction(+ : power)
+    alignas(block_alignment) double power[block_size];
+#pragma omp simd
     for (std::size_t k = 0; k < block_size; ++k)
-        power += node(k);
-    return power;
+        power[k] = node(k);
+    return ordered_sum(power, block_size);
 }
 
 /// One instance of the node kernel per set of features.
