@@ -38,11 +38,19 @@ struct Versions<kernel> {
     [[gnu::target("arch=x86-64-v4"), gnu::flatten]] static Result avx512(Arguments... arguments) {
         return kernel(arguments...);
     }
+    [[gnu::target("arch=x86-64-v3"), gnu::optimize("fp-contract=off"), gnu::flatten]] static Result
+    avx2_unfused(Arguments... arguments) {
+        return kernel(arguments...);
+    }
+    [[gnu::target("arch=x86-64-v4"), gnu::optimize("fp-contract=off"), gnu::flatten]] static Result
+    avx512_unfused(Arguments... arguments) {
+        return kernel(arguments...);
+    }
 #endif
     static constexpr auto at([[maybe_unused]] Level level) {
 #if defined(DRILLSTRAND_LEVELS)
-        if (level.isa == Isa::avx512) return avx512;
-        if (level.isa == Isa::avx2) return avx2;
+        if (level.isa == Isa::avx512) return level.reproducible ? avx512_unfused : avx512;
+        if (level.isa == Isa::avx2) return level.reproducible ? avx2_unfused : avx2;
 #endif
         return baseline;
     }

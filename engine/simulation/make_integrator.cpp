@@ -31,6 +31,7 @@ IntegratorOptions integrator_options(const RunCase& run) {
     options.tolerance = run.tolerance;
     options.threads = run.threads;
     options.stress_limit = run.stress_limit;
+    options.reproducible = run.reproducible;
     return options;
 }
 
@@ -44,10 +45,11 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Integrator
         case IntegratorKind::dormand_prince:
             return std::make_unique<DormandPrince>(
                 scene, Tolerances{options.absolute_tolerance, options.relative_tolerance}, threads,
-                Level{options.isa});
+                Level{options.isa, options.reproducible});
         case IntegratorKind::leapfrog:
             return std::make_unique<Leapfrog>(scene, options.cfl, options.tolerance,
-                                              options.stress_limit, threads, Level{options.isa});
+                                              options.stress_limit, threads,
+                                              Level{options.isa, options.reproducible});
     }
     throw std::invalid_argument("make_integrator: no such integrator");
 }

@@ -18,6 +18,9 @@ Isa best_isa();
 /// Which version of the kernels an integrator uses.
 struct Level {
     Isa isa = best_isa();
+    /// The same bits on every level: no product and sum in one rounding (FMA), which the lowest
+    /// level lacks.
+    bool reproducible = false;
 };
 
 /// The levels up to best_isa().

@@ -55,10 +55,11 @@ struct IntegratorOptions {
     double absolute_tolerance = 1e-7;
     double relative_tolerance = 1e-5;
     double cfl = 0.9;
-    double tolerance = 0;     ///< time error for which the leapfrog shortens its steps; 0: none
-    int threads = 1;          ///< 0: as many as the string gives work, up to all cores
-    double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
-    Isa isa = best_isa();     ///< of the kernels, at most best_isa()
+    double tolerance = 0;       ///< time error for which the leapfrog shortens its steps; 0: none
+    int threads = 1;            ///< 0: as many as the string gives work, up to all cores
+    double stress_limit = 5;    ///< multiple of yield at which the leapfrog stops; 0: none
+    Isa isa = best_isa();       ///< of the kernels, at most best_isa()
+    bool reproducible = false;  ///< the same bits with every instruction set
 };
 
 IntegratorOptions integrator_options(const RunCase& run);
