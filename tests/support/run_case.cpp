@@ -54,8 +54,10 @@ Case case_from(const std::string& toml) {
     return read_case(file);
 }
 
-Run run(const Scene& scene, const RunCase& settings, const OutputCase& output) {
-    const auto integrator = make_integrator(scene, integrator_options(settings));
+Run run(const Scene& scene, const RunCase& settings, const OutputCase& output, Isa isa) {
+    IntegratorOptions options = integrator_options(settings);
+    options.isa = isa;
+    const auto integrator = make_integrator(scene, options);
     Run result;
     MemoryObserver observer(result);
     simulate(*integrator, {settings.duration, output.interval, output.profile_interval}, observer);
@@ -64,7 +66,11 @@ Run run(const Scene& scene, const RunCase& settings, const OutputCase& output) {
 }
 
 Run run(const Case& input) {
-    return run(starting_scene(input), input.run, input.output);
+    return run(input, best_isa());
+}
+
+Run run(const Case& input, Isa isa) {
+    return run(starting_scene(input), input.run, input.output, isa);
 }
 
 Run run(const std::string& toml) {

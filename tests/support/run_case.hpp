@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drillstrand/case.hpp"
+#include "drillstrand/isa.hpp"
 #include "drillstrand/simulation.hpp"
 
 namespace drillstrand::test {
@@ -30,7 +31,10 @@ double largest_stress(const Profile& profile);
 Run run(const Case& input);
 Run run(const std::string& toml);
 
+/// As run(), with the kernels of one instruction set.
+Run run(const Case& input, Isa isa);
+
 /// As run(), for a scene that no case file can express.
-Run run(const Scene& scene, const RunCase& run, const OutputCase& output);
+Run run(const Scene& scene, const RunCase& run, const OutputCase& output, Isa isa = best_isa());
 
 }  // namespace drillstrand::test

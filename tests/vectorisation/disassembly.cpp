@@ -33,11 +33,12 @@ int entries_of(const std::string& instruction) {
 /// Counts one instruction, its operands behind blanks.
 void count(const std::string& text, VectorUse& use) {
     static const std::regex arithmetic(
-        "v?(?:add|sub|mul|div|sqrt|min|max|fn?m(?:add|sub)\\d+)([ps])d");
+        "v?(?:add|sub|mul|div|sqrt|min|max|(fn?m(?:add|sub))\\d+)([ps])d");
     const std::string instruction = text.substr(0, text.find(' '));
     std::smatch match;
     if (std::regex_match(instruction, match, arithmetic)) {
-        if (match[1] == "s") {
+        if (match[1].matched) ++use.fused;
+        if (match[2] == "s") {
             ++use.scalar_entries;
         } else {
             const int entries = entries_of(text);
@@ -58,7 +59,7 @@ Kernels read_kernels(const std::string& objdump, const std::string& objects) {
     static const std::regex version(
         ".*\\bVersions<&\\(?(?:[\\w:]+ )?(?:\\w+::|\\(anonymous "
         "namespace\\)::)*(\\w+)(?:[(<].*)?>::"
-        "(baseline|avx2|avx512)\\(.*>:");
+        "((?:baseline|avx2|avx512)(?:_unfused)?)\\(.*>:");
     Kernels kernels;
     std::string stem;
     VectorUse* use = nullptr;

@@ -13,6 +13,7 @@ struct VectorUse {
     int packed_entries = 0;  ///< entries of all packed instructions: 2, 4 or 8 each
     int scalar_entries = 0;  ///< scalar instructions, one entry each
     int widest = 1;          ///< entries of the widest packed instruction
+    int fused = 0;           ///< fused multiply-adds, packed or scalar
     int calls = 0;           ///< of other functions
 
     [[nodiscard]] double packed_share() const {
@@ -24,8 +25,8 @@ struct VectorUse {
 
 /// One of the functions that the compiler makes of a kernel.
 struct KernelVersion {
-    std::string instruction_set;  ///< as isa_name()
-    std::string function;         ///< with the arguments of its template
+    std::string level;     ///< as isa_name(), with "_unfused" where reproducible
+    std::string function;  ///< with the arguments of its template
     VectorUse use;
 };
 

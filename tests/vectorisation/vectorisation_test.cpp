@@ -16,7 +16,8 @@ using testing::ContainerEq;
 using testing::Ge;
 
 // Entries of a register of each version of a kernel.
-const std::map<std::string, int> register_entries = {{"avx512", 8}, {"avx2", 4}, {"baseline", 2}};
+const std::map<std::string, int> register_entries = {
+    {"avx512", 8}, {"avx512_unfused", 8}, {"avx2", 4}, {"avx2_unfused", 4}, {"baseline", 2}};
 
 // Arithmetic of a loop's head, tail and reduction may be scalar; 85 % of a kernel is in the loop.
 constexpr double loop_share = 0.85;
@@ -59,17 +60,17 @@ std::string why_not() {
 #endif
 }
 
-std::set<std::string> instruction_sets() {
+std::set<std::string> levels() {
     std::set<std::string> names;
     for (const auto& [name, entries] : register_entries)
         names.insert(name);
     return names;
 }
 
-std::set<std::string> instruction_sets(const std::vector<KernelVersion>& versions) {
+std::set<std::string> levels(const std::vector<KernelVersion>& versions) {
     std::set<std::string> names;
     for (const KernelVersion& version : versions)
-        names.insert(version.instruction_set);
+        names.insert(version.level);
     return names;
 }
 
@@ -83,15 +84,18 @@ class Vectorisation : public testing::TestWithParam<Kernel> {
 TEST_P(Vectorisation, KeepsTheKernelInVectorRegisters) {
     const Kernel kernel = GetParam();
     const auto versions = read_kernels(OBJDUMP, KERNEL_OBJECTS)[kernel.name];
-    EXPECT_THAT(instruction_sets(versions), ContainerEq(instruction_sets()));
+    EXPECT_THAT(levels(versions), ContainerEq(levels()));
     EXPECT_EQ(versions.size(), kernel.instances * register_entries.size());
     for (const KernelVersion& version : versions) {
         SCOPED_TRACE(version.function);
         const VectorUse& use = version.use;
-        const int entries = register_entries.at(version.instruction_set);
+        const int entries = register_entries.at(version.level);
         EXPECT_EQ(use.widest, std::min(entries, kernel.widest)) << "entries in a register";
         EXPECT_THAT(use.packed_share(), Ge(kernel.least_share))
             << use.packed_entries << " packed and " << use.scalar_entries << " scalar operations";
+        if (version.level.ends_with("_unfused")) {
+            EXPECT_EQ(use.fused, 0);
+        }
         EXPECT_EQ(use.calls, 0) << "a call in a vector loop takes the entries one by one";
     }
 }
@@ -116,7 +120,7 @@ TEST_F(ObjectFiles, HoldNoKernelThatIsNotWatched) {
 TEST_F(ObjectFiles, ShowALostVectorisation) {
     const auto versions =
         read_kernels(OBJDUMP, SEQUENTIAL_OBJECT)["sequential_kernel: sequential_kernel"];
-    EXPECT_THAT(instruction_sets(versions), ContainerEq(instruction_sets()));
+    EXPECT_THAT(levels(versions), ContainerEq(levels()));
     for (const KernelVersion& version : versions) {
         EXPECT_GT(version.use.scalar_entries, 0) << version.function;
         EXPECT_LT(version.use.packed_share(), 0.5) << version.function;
