@@ -105,8 +105,8 @@ def run_case(build, case, settings, threads=1, output=None):
     with tempfile.TemporaryDirectory() as scratch:
         result = Path(output or Path(scratch) / "result.h5")
         before = os.times()
-        done = subprocess.run(command + ["-o", str(result)], capture_output=True, text=True,
-                              check=False)
+        done = subprocess.run(command + ["--overwrite", "-o", str(result)], capture_output=True,
+                              text=True, check=False)
         after = os.times()
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}\n{done.stderr}")

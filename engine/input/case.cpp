@@ -35,6 +35,16 @@ std::string read_title(const Table& root, const std::filesystem::path& path) {
     return title ? title->text() : path.stem().string();
 }
 
+/// The case file and the tables that it names.
+std::vector<std::filesystem::path> files_of(const toml::table& root,
+                                            const std::filesystem::path& path) {
+    std::vector<std::filesystem::path> files{path};
+    for (const char* key : {"well.survey", "string.components"})
+        if (const auto name = root.at_path(key).value<std::string>())
+            files.push_back(path.parent_path() / *name);
+    return files;
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& path,
@@ -68,6 +78,7 @@ Case read_case(const std::filesystem::path& path,
     refuse_unfinished(result, document.root);
     check_initial_equilibrium(result, document.root);
     result.path = path;
+    result.files = files_of(document.root, path);
     result.text = std::move(document.text);
     return result;
 }

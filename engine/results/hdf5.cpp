@@ -1,5 +1,6 @@
 #include "results/hdf5.hpp"
 
+#include <iostream>
 #include <string_view>
 
 #include "drillstrand/version.hpp"
@@ -34,13 +35,15 @@ herr_t find_system_error(unsigned, const H5E_error2_t* error, void* found) {
 
 }  // namespace
 
-QuietErrors::QuietErrors() {
+QuietErrors::QuietErrors() : error_stream_(std::cerr.rdstate()) {
+    std::cerr.setstate(std::ios::failbit);
     H5::Exception::getAutoPrint(function_, &client_data_);
     H5::Exception::dontPrint();
 }
 
 QuietErrors::~QuietErrors() {
     H5Eset_auto2(H5E_DEFAULT, function_, client_data_);
+    std::cerr.clear(error_stream_);
 }
 
 std::string reason(const H5::Exception& exception) {
@@ -53,15 +56,17 @@ H5::FileAccPropList file_access() {
     H5::FileAccPropList access;
     access.setFcloseDegree(H5F_CLOSE_STRONG);
     H5Pset_file_locking(access.getId(), false, true);
+    access.setSieveBufSize(0);  // a write that fails does so where it is asked for, not at a close
     return access;
 }
 
 H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
                            const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
-                           const std::string& units, const std::string& description) {
+                           const std::string& units, const std::string& description,
+                           const H5::DSetAccPropList& access) {
     const H5::DataType type =
         integer ? H5::DataType(H5::PredType::STD_I64LE) : H5::DataType(H5::PredType::IEEE_F64LE);
-    H5::DataSet dataset = file.createDataSet(path, type, space, properties);
+    H5::DataSet dataset = file.createDataSet(path, type, space, properties, access);
     write_attribute(dataset, "units", units);
     write_attribute(dataset, "description", description);
     return dataset;

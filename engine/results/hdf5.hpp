@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <ios>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@
 
 namespace drillstrand::hdf5 {
 
-/// Keeps HDF5 from printing its errors while it lives; the caller's setting comes back after it.
+/// Keeps HDF5 from printing its errors while it lives, and its C++ destructors from writing to
+/// std::cerr; the caller's settings come back after it.
 class QuietErrors {
   public:
     QuietErrors();
@@ -24,6 +26,7 @@ class QuietErrors {
   private:
     H5E_auto2_t function_ = nullptr;
     void* client_data_ = nullptr;
+    std::ios::iostate error_stream_;
 };
 
 /// The reason of the last failure in one line: that of the operating system where there is one.
@@ -62,7 +65,8 @@ inline constexpr unsigned deflate_level = 4;
 
 H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
                            const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
-                           const std::string& units, const std::string& description);
+                           const std::string& units, const std::string& description,
+                           const H5::DSetAccPropList& access = H5::DSetAccPropList::DEFAULT);
 
 /// Creates a dataset of that shape, uncompressed, and writes all its values.
 void write_values(H5::H5File& file, const std::string& path, bool integer,

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -153,6 +154,26 @@ void HeldFile::write(std::string_view bytes) const {
         if (written < 0) refuse_to_write(shown_path_, errno);
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+void HeldFile::write_hdf5_end(std::uint64_t end) const {
+    constexpr off_t version_place = 8;
+    constexpr off_t end_place = 40;
+    unsigned char version = 0xff;
+    // a file that HDF5 has not written yet has none
+    if (::pread(descriptor_, &version, 1, version_place) != 1 || version != 0) return;
+    if (size_of(descriptor_, shown_path_) < end &&
+        uninterrupted([&] { return ::ftruncate(descriptor_, static_cast<off_t>(end)); }) != 0)
+        refuse_to_write(shown_path_, errno);
+    std::array<unsigned char, 8> bytes{};
+    for (unsigned char& byte : bytes) {
+        byte = static_cast<unsigned char>(end & 0xff);
+        end >>= 8;
+    }
+    if (uninterrupted([&] {
+            return ::pwrite(descriptor_, bytes.data(), bytes.size(), end_place);
+        }) != static_cast<ssize_t>(bytes.size()))
+        refuse_to_write(shown_path_, errno);
 }
 
 void HeldFile::sync() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -38,6 +39,10 @@ class HeldFile {
     /// failed half-way, so a full disk is found before it writes.
     void require_space(std::size_t bytes) const;
     void write(std::string_view bytes) const;
+    /// Makes the file that long and says so in its first bytes, as HDF5 does at the end of a flush
+    /// (superblock of version 0, "HDF5 File Format Specification" 3.0, II.A; others are left
+    /// alone).
+    void write_hdf5_end(std::uint64_t end) const;
     /// Returns once the disk itself has the file.
     void sync() const;
 

@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_unwritten_bytes = std::size_t{1} << 16;
+
 /// Names of files that have not taken their own yet: NAME.newPROCESS, with _2, _3... behind where
 /// two machines share a folder and have processes of one number.
 fs::path name_beside(const fs::path& target, int attempt) {
@@ -67,7 +69,7 @@ void require_free(const fs::path& target, const fs::path& shown_path, Existing e
 
 fs::path followed(const fs::path& path) {
     std::error_code problem;
-    fs::path target = fs::weakly_canonical(path, problem);
+    fs::path target = fs::weakly_canonical(fs::absolute(path, problem), problem);
     if (problem) refuse_to_write(path, problem.value());
     // it stops at a link to a file that is not there yet
     for (int links = 0; fs::is_symlink(fs::symlink_status(target, problem)); ++links) {
@@ -98,19 +100,26 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-    held_->write(bytes);
+    unwritten_ += bytes;
+    if (unwritten_.size() > most_unwritten_bytes) write_rest();
+}
+
+void NewFile::write_rest() {
+    held_->write(unwritten_);
+    unwritten_.clear();
 }
 
 void NewFile::take_name() {
+    write_rest();
     // another drillstrand may have come first since the file was begun
     const HeldFolder folder(folder_of(target_));
     require_free(target_, shown_path_, existing_);
     if (existing_ == Existing::keep) {
-        // where a file system cannot keep one that another program makes now, nobody can
-        if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
-            named_ = true;
-        else if (errno == EEXIST)
-            refuse_to_replace(shown_path_);
+        named_ =
+            ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
+        if (!named_ && errno == EEXIST) refuse_to_replace(shown_path_);
+        // not every file system can
+        if (!named_ && errno != EINVAL && errno != ENOSYS) refuse_to_write(shown_path_, errno);
     }
     if (!named_ && std::rename(path_.c_str(), target_.c_str()) != 0)
         refuse_to_write(shown_path_, errno);

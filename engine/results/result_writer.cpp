@@ -47,9 +47,11 @@ class RecordTable {
                 properties.setShuffle();
                 properties.setDeflate(hdf5::deflate_level);
             }
+            const H5::DSetAccPropList access = without_cache();
             datasets_.push_back(hdf5::create_dataset(
                 file, entry.path, entry.integer, H5::DataSpace(rank, initial.data(), most.data()),
-                properties, entry.units, entry.description));
+                properties, entry.units, entry.description, access));
+            make_index(datasets_.back(), chunk_shape, is_frame);
             add_chunk(chunk_shape);
         }
     }
@@ -59,7 +61,8 @@ class RecordTable {
                 hsize_t segments, hsize_t records)
         : layout_(&layout), segments_(segments), pending_(layout.size()), written_(records) {
         for (const auto& entry : layout) {
-            const H5::DataSet& dataset = datasets_.emplace_back(file.openDataSet(entry.path));
+            const H5::DataSet& dataset =
+                datasets_.emplace_back(file.openDataSet(entry.path, without_cache()));
             const auto expected = hdf5::shape(entry, segments, 1);
             const auto found = extent_of(dataset);
             if (found.size() != expected.size() ||
@@ -149,11 +152,41 @@ class RecordTable {
     }
 
   private:
+    /// Chunks go out as they are written, so that their places are known before a flush.
+    static H5::DSetAccPropList without_cache() {
+        H5::DSetAccPropList access;
+        access.setChunkCache(0, 0, 1);
+        return access;
+    }
+
     static std::vector<hsize_t> extent_of(const H5::DataSet& dataset) {
         const H5::DataSpace space = dataset.getSpace();
         std::vector<hsize_t> extent(static_cast<std::size_t>(space.getSimpleExtentNdims()));
         space.getSimpleExtentDims(extent.data());
         return extent;
+    }
+
+    /// A dataset gets the table of its chunks with the first of them. It must be there before the
+    /// file takes its name: a kill between the writing of the one that names the table and of the
+    /// table itself would lose the dataset. So a chunk is made and dropped again.
+    static void make_index(H5::DataSet& dataset, std::vector<hsize_t> extent, bool is_frame) {
+        const std::vector<hsize_t> start(extent.size(), 0);
+        extent.front() = 1;
+        dataset.extend(extent.data());
+        if (is_frame) {
+            const double anything = 0;
+            if (H5Dwrite_chunk(dataset.getId(), H5P_DEFAULT, 0, start.data(), sizeof anything,
+                               &anything) < 0)
+                throw H5::DataSetIException("H5Dwrite_chunk", "no chunk can be written");
+        } else {
+            const H5::DataSpace memory(static_cast<int>(extent.size()), extent.data());
+            const std::vector<double> zeros(
+                static_cast<std::size_t>(memory.getSimpleExtentNpoints()), 0.0);
+            dataset.write(zeros.data(), H5::PredType::NATIVE_DOUBLE, memory);
+        }
+        extent.front() = 0;
+        if (H5Dset_extent(dataset.getId(), extent.data()) < 0)
+            throw H5::DataSetIException("H5Dset_extent", "a chunk cannot be dropped");
     }
 
     void add_chunk(const std::vector<hsize_t>& chunk_shape) {
@@ -218,6 +251,15 @@ H5::H5File open_file(const fs::path& path) {
     return file;
 }
 
+bool holds(const H5::H5File& file, const std::string& path, const std::vector<double>& expected) {
+    const H5::DataSet dataset = file.openDataSet(path);
+    if (dataset.getSpace().getSimpleExtentNpoints() != static_cast<hssize_t>(expected.size()))
+        return false;
+    std::vector<double> found(expected.size());
+    dataset.read(found.data(), H5::PredType::NATIVE_DOUBLE);
+    return found == expected;
+}
+
 /// Throws ResultError where another string or integrator made the file.
 void require_same_run(const fs::path& path, const ResultHeader& header) {
     hdf5::read_file(path, [&](hdf5::UntrustedFile& file) {
@@ -238,6 +280,7 @@ struct OpenFile {
     H5::Group root;
     RecordTable<SeriesRecord> series;
     RecordTable<Profile> profiles;
+    bool closing = false;
 
     OpenFile(const fs::path& path, const ResultHeader& header)
         : file(create_file(path, header)),
@@ -253,16 +296,20 @@ struct OpenFile {
           profiles(file, profile_datasets(), header.segment_s.size(), profile_records) {}
 
     /// Back to the records that are to be kept; times first, so that none is without its values.
-    void drop_others() {
-        series.drop_times();
-        profiles.drop_times();
-        flush();
+    void drop_others(const HeldFile& held) {
+        drop_times();
+        flush(held);
         series.drop_values();
         profiles.drop_values();
         series.require_chunks();
         profiles.require_chunks();
         series.read_last_time();
         profiles.read_last_time();
+    }
+
+    void drop_times() {
+        series.drop_times();
+        profiles.drop_times();
     }
 
     void write_status(const ResultFooter& footer) {
@@ -280,9 +327,17 @@ struct OpenFile {
         hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
     }
 
-    void flush() { file.flush(H5F_SCOPE_GLOBAL); }
+    /// The file's end goes first: tables that are cut off by a kill may name places up to it.
+    void flush(const HeldFile& held) {
+        haddr_t end = 0;
+        if (H5Fget_eoa(file.getId(), &end) < 0)
+            throw H5::FileIException("H5Fget_eoa", "the end of the file is not known");
+        held.write_hdf5_end(end);
+        file.flush(H5F_SCOPE_GLOBAL);
+    }
 
     void close() {
+        closing = true;
         series.close();
         profiles.close();
         root.close();
@@ -306,7 +361,7 @@ struct ResultWriter::Impl {
                 open_ = std::make_unique<OpenFile>(fresh.path(), header);
                 open_->write_status({});
                 open_->write_numbers({});
-                open_->flush();
+                open_->flush(fresh.held());
             });
             fresh.take_name();
             held_ = fresh.release();
@@ -329,9 +384,9 @@ struct ResultWriter::Impl {
                     std::make_unique<OpenFile>(file_path_, header, series_records, profile_records);
             });
             attempt([&] {
-                open_->drop_others();
+                open_->drop_others(*held_);
                 open_->write_status({});
-                open_->flush();
+                open_->flush(*held_);
             });
         } catch (const WriteError&) {
             close_quietly();
@@ -372,7 +427,7 @@ struct ResultWriter::Impl {
         write_pending();
         attempt([&] {
             open_->write_numbers(footer);
-            open_->flush();
+            open_->flush(*held_);
         });
         held_->remember_size();
     }
@@ -380,6 +435,7 @@ struct ResultWriter::Impl {
     void sync() { held_->sync(); }
 
     void close(ResultFooter footer) {
+        if (!held_) return;  // it failed before
         std::string lost;
         if (!failed_) {
             try {
@@ -392,9 +448,10 @@ struct ResultWriter::Impl {
         try {
             require_held();
             attempt([&] {
+                if (failed_) open_->drop_times();
                 open_->write_numbers(footer);
                 open_->write_status(footer);
-                open_->flush();
+                open_->flush(*held_);
                 written_records_ = {open_->series.written(), open_->profiles.written()};
                 open_->close();
             });
@@ -456,10 +513,10 @@ struct ResultWriter::Impl {
         attempt([&] {
             open_->series.write_values();
             open_->profiles.write_values();
-            open_->flush();
+            open_->flush(*held_);
             open_->series.write_times();
             open_->profiles.write_times();
-            open_->flush();
+            open_->flush(*held_);
         });
         held_->remember_size();
         written_until_ = open_->series.last_time();
@@ -467,9 +524,13 @@ struct ResultWriter::Impl {
     }
 
     /// HDF5 objects that cannot be closed are left to the end of the process: their destructors
-    /// would try again and print.
+    /// would try again and print, and HDF5 does not survive a second try.
     void close_quietly() {
         if (!open_) return;
+        if (open_->closing) {
+            static_cast<void>(open_.release());
+            return;
+        }
         try {
             attempt([&] { open_->close(); });
             open_.reset();

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "drillstrand/error.hpp"
@@ -58,10 +60,36 @@ void require_finite(const Profile& profile) {
     }
 }
 
+/// How many steps to take before the observer is asked again: as many as fill a tenth of a second
+/// of wall time, whatever a step costs. Integrators give the same bits in pieces of any size.
+class Pieces {
+  public:
+    [[nodiscard]] std::int64_t steps() const { return steps_; }
+
+    /// The last piece came to that many steps, fewer where a record was due.
+    void took(std::int64_t steps, double seconds) {
+        const double filling = seconds > 0 ? aim * static_cast<double>(steps) / seconds : INFINITY;
+        // only a piece that was used up shows that a longer one would do
+        const std::int64_t most = steps < steps_ ? steps_ : std::min(2 * steps_, longest);
+        steps_ = filling < static_cast<double>(most)
+                     ? std::max(static_cast<std::int64_t>(filling), std::int64_t{1})
+                     : most;
+    }
+
+  private:
+    static constexpr double aim = 0.1;  // s
+    static constexpr std::int64_t longest = std::int64_t{1} << 40;
+    std::int64_t steps_ = 1;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer) {
-    constexpr std::int64_t steps_between_progress = 1000;
+    Pieces pieces;
     RecordTimes series_times(schedule.interval, schedule.duration);
     RecordTimes profile_times(schedule.profile_interval, schedule.duration);
     const auto record = [&] {
@@ -82,7 +110,10 @@ RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observe
     record();
     while (integrator.time() < schedule.duration) {
         const double next = std::min(series_times.next(), profile_times.next());
-        integrator.advance(next, steps_between_progress);
+        const auto start = std::chrono::steady_clock::now();
+        const std::int64_t steps = integrator.statistics().steps;
+        integrator.advance(next, pieces.steps());
+        pieces.took(integrator.statistics().steps - steps, seconds_since(start));
         record();
         if (!observer.on_progress(integrator.time(), integrator.statistics())) {
             return RunOutcome::stopped;

@@ -200,8 +200,9 @@ struct Case {
     TorqueDragCase torque_drag;
     RunCase run;
     OutputCase output;
-    std::filesystem::path path;  ///< the case file
-    std::string text;            ///< the TOML as read, overrides applied
+    std::filesystem::path path;                ///< the case file
+    std::vector<std::filesystem::path> files;  ///< everything that was read, the case file first
+    std::string text;                          ///< the TOML as read, overrides applied
 };
 
 /// Reads and validates a case file. `overrides` are (key.path, value) pairs as in

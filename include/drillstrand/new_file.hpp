@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace drillstrand {
@@ -37,11 +38,14 @@ class NewFile {
     std::unique_ptr<HeldFile> release();
 
   private:
+    void write_rest();
+
     std::filesystem::path shown_path_;
     std::filesystem::path target_;
     std::filesystem::path path_;
     Existing existing_;
     std::unique_ptr<HeldFile> held_;
+    std::string unwritten_;
     bool named_ = false;
 };
 

@@ -107,4 +107,8 @@ struct Result {
 /// ResultError where it is not one.
 Result read_result(const std::filesystem::path& path);
 
+/// Whether a file is HDF5 with the root attributes of files that drillstrand writes, whatever
+/// command made it.
+bool is_own_result(const std::filesystem::path& path);
+
 }  // namespace drillstrand

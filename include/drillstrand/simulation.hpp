@@ -80,7 +80,8 @@ class Observer {
     virtual ~Observer() = default;
     virtual void on_series(const SeriesRecord& record) = 0;
     virtual void on_profile(const Profile& profile) = 0;
-    /// Called many times a second with the simulated time reached; false asks the run to stop.
+    /// Called about ten times a second of wall time, and after every step that takes longer than
+    /// that, with the simulated time reached; false asks the run to stop.
     virtual bool on_progress(double time, const StepStatistics& statistics) = 0;
 };
 

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "support/run_case.hpp"
@@ -15,10 +17,13 @@ using testing::ElementsAre;
 /// Counts steps of 1 ms and knows nothing else: a time loop without physics.
 class Clock final : public Integrator {
   public:
+    std::chrono::milliseconds pause{0};  ///< of wall time, in each step
+
     void advance(double end, std::int64_t max_steps) override {
         for (std::int64_t step = 0; step < max_steps && time_ < end; ++step) {
             time_ = end - time_ <= 1e-3 ? end : time_ + 1e-3;
             ++statistics_.steps;
+            std::this_thread::sleep_for(pause);
         }
     }
     [[nodiscard]] double time() const override { return time_; }
@@ -103,6 +108,14 @@ TEST(RecordTimes, IntervalLongerThanTheRunLeavesTheFirstAndTheLast) {
 TEST(RecordTimes, ProgressIsReportedBetweenDistantRecords) {
     const Times times = times_of({10.0, 10.0, 0});
     EXPECT_GE(times.progress.size(), 10U);
+}
+
+TEST(RecordTimes, ProgressIsReportedAfterEveryStepThatTakesLong) {
+    Clock clock;
+    clock.pause = std::chrono::milliseconds(150);
+    Times times;
+    EXPECT_EQ(simulate(clock, {0.004, 1.0, 0}, times), RunOutcome::complete);
+    EXPECT_EQ(times.progress.size(), 4U);
 }
 
 TEST(RecordTimes, RunEndsSoonAfterTheObserverAsksForItAndKeepsItsRecords) {

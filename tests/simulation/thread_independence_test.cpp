@@ -95,6 +95,30 @@ void expect_identical_on_any_number_of_threads(Case input) {
     }
 }
 
+/// Advances by pieces of that many steps, over one record time.
+Profile profile_after(Case input, std::int64_t piece) {
+    input.run.threads = 1;
+    const Scene scene = build_scene(input);
+    const auto integrator = make_integrator(scene, integrator_options(input.run));
+    for (const double end : {0.5 * input.run.duration, input.run.duration})
+        while (integrator->time() < end)
+            integrator->advance(end, piece);
+    EXPECT_EQ(integrator->time(), input.run.duration);
+    return integrator->profile();
+}
+
+using Pieces = BothIntegrators;
+INSTANTIATE_TEST_SUITE_P(By, Pieces, both_integrators, integrator_name);
+
+TEST_P(Pieces, OfAnySizeGiveTheSameDigitByDigit) {
+    const Case input = rubbing_string(integrator());
+    const Profile whole = profile_after(input, std::int64_t{1} << 40);
+    for (const std::int64_t piece : {1, 2, 7, 1000}) {
+        SCOPED_TRACE(piece);
+        expect_identical(profile_after(input, piece), whole);
+    }
+}
+
 /// What makes a scene another one for the kernels.
 struct Feature {
     std::string name;

@@ -14,6 +14,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 namespace drillstrand::program {
@@ -86,16 +87,13 @@ void print_notes(const Scene& scene) {
     const bool has_weight = std::any_of(scene.weight.begin(), scene.weight.end(),
                                         [](double weight) { return weight != 0; });
     if (has_weight && tilt < 1 - 1e-12)
-        fmt::print(stderr,
-                   "drillstrand: note: the rod is not vertical; its weight counts with the "
-                   "component along it, the one across it is left out\n");
+        say("drillstrand: note: the rod is not vertical; its weight counts with the "
+            "component along it, the one across it is left out\n");
     const std::vector<double>& weights = scene.bit.weight.values();
     const bool has_load =
         std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; });
     if (has_load && scene.bit.direction == BitDirection::follower)
-        fmt::print(
-            stderr,
-            "drillstrand: note: bit.direction = \"follower\": a load that turns with the bit "
+        say("drillstrand: note: bit.direction = \"follower\": a load that turns with the bit "
             "has no critical load of this kind, the string flutters (drillstrand run shows "
             "it); the loads above are those of a dead load\n");
 }
@@ -109,15 +107,14 @@ void write_result(const Case& input, const Scene& scene, const BucklingOptions& 
     result.header.segment_s = scene.mesh.segment_s;
     result.tip_weight = options.tip_weight;
     result.modes = modes;
-    write_buckling(options.output, result);
+    write_buckling(options.output, result, options.overwrite ? Existing::replace : Existing::keep);
 }
 
 }  // namespace
 
 int buckling(const BucklingOptions& options) {
-    if (!options.output.empty())
-        static_cast<void>(checked_output(options.output, options.case_path));
     const Case input = read_case(options.case_path, options.overrides);
+    require_output("-o", options.output, {options.overwrite, inputs_of(input)});
     const Scene scene = build_scene(input);
     StraightRod rod;
     std::vector<BucklingMode> modes;

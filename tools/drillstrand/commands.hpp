@@ -30,6 +30,7 @@ struct RunOptions {
     std::string isa;               ///< as isa_name(); empty: the best of this machine
     Overrides overrides;
     bool quiet = false;
+    bool overwrite = false;
 };
 
 int run(const RunOptions& options);
@@ -47,6 +48,7 @@ struct BucklingOptions {
     std::size_t modes = 6;
     TipWeight tip_weight = TipWeight::half;
     Overrides overrides;
+    bool overwrite = false;
 };
 
 int buckling(const BucklingOptions& options);
@@ -55,6 +57,7 @@ struct EquilibriumCommand {
     std::filesystem::path case_path;
     std::filesystem::path output;  ///< empty: no file
     Overrides overrides;
+    bool overwrite = false;
 };
 
 int equilibrium(const EquilibriumCommand& command);
@@ -65,6 +68,7 @@ struct TorqueDragCommand {
     std::filesystem::path table;          ///< of all depths (CSV); empty: none
     std::filesystem::path profile_table;  ///< along the string at the last depth; empty: none
     Overrides overrides;
+    bool overwrite = false;
 };
 
 int torque_drag(const TorqueDragCommand& command);
@@ -75,6 +79,7 @@ struct ReportOptions {
     std::filesystem::path measured;  ///< empty: nothing to compare with
     std::string offset;              ///< of the measured clock, a quantity of time; empty: none
     bool follow = false;             ///< write again until the run ends
+    bool overwrite = false;
 };
 
 int report(const ReportOptions& options);
@@ -84,6 +89,7 @@ struct ExportOptions {
     std::filesystem::path folder;  ///< empty: the result's stem in the working directory
     bool vtk = false;              ///< one of the two formats
     bool csv = false;
+    bool overwrite = false;
 };
 
 int export_result(const ExportOptions& options);

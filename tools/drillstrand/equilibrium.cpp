@@ -14,14 +14,13 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 template <class... Parts>
 void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... parts) {
@@ -104,11 +103,12 @@ void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium&
          duration_text(seconds), found.residual);
 }
 
-void write(const fs::path& output, const Case& input, const Scene& scene, const Equilibrium& found,
-           double seconds) {
+void write(const EquilibriumCommand& command, const Case& input, const Scene& scene,
+           const Equilibrium& found, double seconds) {
     ResultHeader header = result_header(input, scene);
     header.integrator = "equilibrium";
-    ResultWriter writer(output, header);
+    ResultWriter writer(command.output, header,
+                        command.overwrite ? Existing::replace : Existing::keep);
     writer.append(found.series);
     writer.append(found.profile);
     ResultFooter footer;
@@ -121,8 +121,8 @@ void write(const fs::path& output, const Case& input, const Scene& scene, const 
 }  // namespace
 
 int equilibrium(const EquilibriumCommand& command) {
-    const fs::path output = checked_output(command.output, command.case_path);
     const Case input = read_case(command.case_path, command.overrides);
+    require_output("-o", command.output, {command.overwrite, inputs_of(input)});
     if (input.head.motion == HeadMotion::free)
         throw InputError({input.path.string()},
                          "head.motion = \"free\": nothing holds the string; an equilibrium needs a "
@@ -134,10 +134,10 @@ int equilibrium(const EquilibriumCommand& command) {
     const Equilibrium found = find_equilibrium(scene, options);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!command.output.empty()) write(command, input, scene, found, seconds);
     print_equilibrium(input, scene, found, options.motion, seconds);
     for (const std::string& warning : found.warnings)
-        fmt::print(stderr, "drillstrand: warning: {}\n", warning);
-    if (!output.empty()) write(output, input, scene, found, seconds);
+        say("drillstrand: warning: {}\n", warning);
     return done;
 }
 

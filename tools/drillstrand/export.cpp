@@ -7,8 +7,12 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "drillstrand/error.hpp"
+#include "drillstrand/result_file.hpp"
 #include "export_csv.hpp"
 #include "export_vtk.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "printable.hpp"
 #include "read_apart.hpp"
 
@@ -58,13 +62,24 @@ bool misses_its_well(const Result& result) {
 void warn(const ExportOptions& options, const Result& result) {
     const std::string path = printable(options.result.string());
     if (misses_its_well(result))
-        fmt::print(stderr,
-                   "drillstrand: warning: {}: an older drillstrand left out the well; the export "
-                   "is without it\n",
-                   path);
+        say("drillstrand: warning: {}: an older drillstrand left out the well; the export "
+            "is without it\n",
+            path);
     if (result.profiles.empty())
-        fmt::print(stderr, "drillstrand: warning: {}: no profiles yet; the export has none\n",
-                   path);
+        say("drillstrand: warning: {}: no profiles yet; the export has none\n", path);
+}
+
+void write_files(const ExportOptions& options, const fs::path& folder, const Result& result,
+                 Existing existing) {
+    try {
+        if (options.vtk)
+            write_vtk(folder, result, existing);
+        else
+            write_csv(folder, result, existing);
+    } catch (const ResultError& error) {
+        // some of the files may be there by now
+        throw WriteError(error.what());
+    }
 }
 
 }  // namespace
@@ -74,15 +89,15 @@ int export_result(const ExportOptions& options) {
         throw UsageError("export needs one of --vtk (for ParaView) and --csv (for a spreadsheet)");
     const fs::path folder = folder_of(options);
     const Result result = read_run(options.result);
+    const OutputRules rules{options.overwrite, {{options.result, "the result file"}}};
+    for (const fs::path& file : options.vtk ? vtk_files(folder, result) : csv_files(folder, result))
+        require_output("-o", file, rules);
     make_folder(folder);
     warn(options, result);
-    if (options.vtk)
-        write_vtk(folder, result);
-    else
-        write_csv(folder, result);
-    fmt::print(stderr, "drillstrand: {} is in {}\n",
-               options.vtk ? "string.pvd, for ParaView," : "series.csv, beside other tables,",
-               printable(folder.string()));
+    write_files(options, folder, result, rules.existing());
+    say("drillstrand: {} is in {}\n",
+        options.vtk ? "string.pvd, for ParaView," : "series.csv, beside other tables,",
+        printable(folder.string()));
     return done;
 }
 

@@ -8,7 +8,6 @@
 
 #include "drillstrand/result_layout.hpp"
 #include "export_fields.hpp"
-#include "export_file.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -45,8 +44,9 @@ std::string series_header() {
     return header + '\n';
 }
 
-void write_series(const fs::path& path, const std::vector<SeriesRecord>& series) {
-    ExportFile file(path);
+void write_series(const fs::path& path, const std::vector<SeriesRecord>& series,
+                  Existing existing) {
+    NewFile file(path, existing);
     file.write(series_header());
     for (const SeriesRecord& record : series) {
         std::vector<double> values;
@@ -57,7 +57,7 @@ void write_series(const fs::path& path, const std::vector<SeriesRecord>& series)
             add_number(line, value);
         file.write(line + '\n');
     }
-    file.finish();
+    file.take_name();
 }
 
 std::string header_of(const std::vector<ExportField>& fields) {
@@ -89,12 +89,13 @@ std::string rows_of(double time, const std::vector<ExportField>& fields) {
 /// still the header, of the columns that the profile `none` gives.
 template <class FieldsOf>
 void write_profiles(const fs::path& path, const std::vector<Profile>& profiles, const Profile& none,
-                    FieldsOf&& fields_of) {
-    ExportFile file(path);
+                    FieldsOf&& fields_of, Existing existing) {
+    NewFile file(path, existing);
+    // without a profile there is still a header
     file.write(header_of(fields_of(profiles.empty() ? none : profiles.front())));
     for (const Profile& profile : profiles)
         file.write(rows_of(profile.time, fields_of(profile)));
-    file.finish();
+    file.take_name();
 }
 
 std::vector<ExportField> with_position(const Profile& profile, std::vector<ExportField> fields) {
@@ -118,8 +119,9 @@ Profile profile_at_rest(const ResultHeader& header) {
     return profile;
 }
 
-void write_well(const fs::path& path, const std::vector<WellStretch>& stretches) {
-    ExportFile file(path);
+void write_well(const fs::path& path, const std::vector<WellStretch>& stretches,
+                Existing existing) {
+    NewFile file(path, existing);
     file.write("measured_depth[m],north[m],east[m],down[m],radius[m]\n");
     for (const WellStretch& stretch : stretches)
         for (std::size_t k = 0; k < stretch.axis.size(); ++k) {
@@ -130,21 +132,34 @@ void write_well(const fs::path& path, const std::vector<WellStretch>& stretches)
             add_number(line, stretch.radius);
             file.write(line + '\n');
         }
-    file.finish();
+    file.take_name();
 }
+
+constexpr const char* series_name = "series.csv";
+constexpr const char* nodes_name = "nodes.csv";
+constexpr const char* segments_name = "segments.csv";
+constexpr const char* well_name = "well.csv";
 
 }  // namespace
 
-void write_csv(const fs::path& folder, const Result& result) {
-    write_series(folder / "series.csv", result.series);
+std::vector<fs::path> csv_files(const fs::path& folder, const Result& result) {
+    std::vector<fs::path> files{folder / series_name, folder / nodes_name, folder / segments_name};
+    if (result.header.well) files.push_back(folder / well_name);
+    return files;
+}
+
+void write_csv(const fs::path& folder, const Result& result, Existing existing) {
+    write_series(folder / series_name, result.series, existing);
     ProfileFields fields(result);
     const Profile none = profile_at_rest(result.header);
-    write_profiles(folder / "nodes.csv", result.profiles, none, [&](const Profile& profile) {
-        return with_position(profile, fields.of_nodes(profile));
-    });
-    write_profiles(folder / "segments.csv", result.profiles, none,
-                   [&](const Profile& profile) { return fields.of_segments(profile); });
-    if (result.header.well) write_well(folder / "well.csv", well_stretches(result));
+    write_profiles(
+        folder / nodes_name, result.profiles, none,
+        [&](const Profile& profile) { return with_position(profile, fields.of_nodes(profile)); },
+        existing);
+    write_profiles(
+        folder / segments_name, result.profiles, none,
+        [&](const Profile& profile) { return fields.of_segments(profile); }, existing);
+    if (result.header.well) write_well(folder / well_name, well_stretches(result), existing);
 }
 
 }  // namespace drillstrand::program

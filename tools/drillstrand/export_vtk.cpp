@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "export_fields.hpp"
-#include "export_file.hpp"
 
 namespace drillstrand::program {
 
@@ -86,21 +85,23 @@ std::string piece_text(const LineData& lines, AppendedData& data) {
 
 std::string opening_text(const char* type) {
     return fmt::format(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
+        "<?xml version=\"1.0\"?>\n<!-- made by drillstrand -->\n<VTKFile type=\"{}\" "
+        "version=\"1.0\" byte_order=\"{}\" "
         "header_type=\"UInt64\">\n",
         type, byte_order);
 }
 
-void write_lines(const fs::path& path, const LineData& lines, const double* time) {
+void write_lines(const fs::path& path, const LineData& lines, const double* time,
+                 Existing existing) {
     AppendedData data;
     std::string text = opening_text("PolyData") + "<PolyData>\n";
     if (time != nullptr) text += time_text(*time, data);
     text += piece_text(lines, data) + "</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-    ExportFile file(path);
+    NewFile file(path, existing);
     file.write(text);
     file.write(data.bytes());
     file.write("\n</AppendedData>\n</VTKFile>\n");
-    file.finish();
+    file.take_name();
 }
 
 void append(std::vector<double>& values, const Eigen::Vector3d& point) {
@@ -138,23 +139,38 @@ LineData well_lines(const std::vector<WellStretch>& stretches) {
     return lines;
 }
 
+std::string string_name(std::size_t k) {
+    return fmt::format("string_{:05}.vtp", k);
+}
+
+constexpr const char* well_name = "well.vtp";
+constexpr const char* collection_name = "string.pvd";
+
 }  // namespace
 
-void write_vtk(const fs::path& folder, const Result& result) {
+std::vector<fs::path> vtk_files(const fs::path& folder, const Result& result) {
+    std::vector<fs::path> files{folder / collection_name};
+    if (result.header.well) files.push_back(folder / well_name);
+    for (std::size_t k = 0; k < result.profiles.size(); ++k)
+        files.push_back(folder / string_name(k));
+    return files;
+}
+
+void write_vtk(const fs::path& folder, const Result& result, Existing existing) {
     if (result.header.well)
-        write_lines(folder / "well.vtp", well_lines(well_stretches(result)), nullptr);
+        write_lines(folder / well_name, well_lines(well_stretches(result)), nullptr, existing);
     ProfileFields fields(result);
     std::string collection = opening_text("Collection") + "<Collection>\n";
     for (std::size_t k = 0; k < result.profiles.size(); ++k) {
         const Profile& profile = result.profiles[k];
-        const std::string name = fmt::format("string_{:05}.vtp", k);
-        write_lines(folder / name, string_lines(profile, fields), &profile.time);
-        collection +=
-            fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", profile.time, name);
+        write_lines(folder / string_name(k), string_lines(profile, fields), &profile.time,
+                    existing);
+        collection += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
+                                  profile.time, string_name(k));
     }
-    ExportFile file(folder / "string.pvd");
+    NewFile file(folder / collection_name, existing);
     file.write(collection + "</Collection>\n</VTKFile>\n");
-    file.finish();
+    file.take_name();
 }
 
 }  // namespace drillstrand::program

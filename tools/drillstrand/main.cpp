@@ -5,13 +5,20 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <new>
+#include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "commands.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/version.hpp"
+#include "messages.hpp"
 
 namespace drillstrand::program {
 
@@ -22,7 +29,7 @@ constexpr std::array<std::string_view, 1> later_commands = {"study"};
 
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    fmt::print(stderr, "drillstrand: error: {}\n", message);
+    say("drillstrand: error: {}\n", message);
     return code;
 }
 
@@ -64,7 +71,10 @@ class CommandLine {
         try {
             app_.parse(argc, argv);
         } catch (const CLI::Success& help_or_version) {
-            return app_.exit(help_or_version);
+            std::ostringstream text;
+            const int code = app_.exit(help_or_version, text, text);
+            fmt::print("{}", text.str());
+            return code;
         } catch (const CLI::ParseError& error) {
             throw UsageError(
                 fmt::format("{}; see {} --help", describe(error, argc, argv), command_name()));
@@ -73,13 +83,14 @@ class CommandLine {
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
         if (equilibrium_->parsed())
-            return equilibrium({case_path_, output_, parse_overrides(overrides_)});
+            return equilibrium({case_path_, output_, parse_overrides(overrides_), overwrite_});
         if (torque_drag_->parsed())
             return torque_drag({case_path_, output_, table_path_, profile_table_path_,
-                                parse_overrides(overrides_)});
+                                parse_overrides(overrides_), overwrite_});
         if (report_->parsed())
-            return report({result_path_, output_, measured_path_, offset_, follow_});
-        if (export_->parsed()) return export_result({result_path_, output_, vtk_, csv_});
+            return report({result_path_, output_, measured_path_, offset_, follow_, overwrite_});
+        if (export_->parsed())
+            return export_result({result_path_, output_, vtk_, csv_, overwrite_});
         if (info_->parsed()) return info(result_path_);
         throw UsageError("no command; see drillstrand --help");
     }
@@ -98,6 +109,7 @@ class CommandLine {
             ->check(CLI::IsMember({"baseline", "avx2", "avx512"}))
             ->type_name("baseline|avx2|avx512");
         add_overrides(*run_);
+        add_overwrite(*run_);
         run_->add_flag("--quiet", quiet_, "No progress on the error stream");
         run_->add_option("--restart", restart_)->group("");  // not shown: not available yet
     }
@@ -126,6 +138,7 @@ class CommandLine {
         buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
+        add_overwrite(*buckling_);
     }
 
     void add_equilibrium() {
@@ -136,6 +149,7 @@ class CommandLine {
         equilibrium_->add_option("-o,--output", output_, "File for the equilibrium; default: none")
             ->type_name("OUT.h5");
         add_overrides(*equilibrium_);
+        add_overwrite(*equilibrium_);
     }
 
     void add_torque_drag() {
@@ -152,6 +166,7 @@ class CommandLine {
                          "Table along the string at the last depth; default: none")
             ->type_name("OUT.csv");
         add_overrides(*torque_drag_);
+        add_overwrite(*torque_drag_);
     }
 
     void add_report() {
@@ -171,6 +186,7 @@ class CommandLine {
                          "What to add to measured times, as in \"30 s\" or \"-2 min\"")
             ->type_name("TIME");
         report_->add_flag("--follow", follow_, "Write the page again until the run ends");
+        add_overwrite(*report_);
     }
 
     void add_export() {
@@ -183,6 +199,7 @@ class CommandLine {
             ->add_option("-o,--output", output_,
                          "The folder; default: the result's stem, in the working directory")
             ->type_name("DIR");
+        add_overwrite(*export_);
     }
 
     void add_info() {
@@ -197,6 +214,11 @@ class CommandLine {
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
 
+    void add_overwrite(CLI::App& command) {
+        command.add_flag("--overwrite", overwrite_,
+                         "Replace files of the same names, where drillstrand wrote them");
+    }
+
     int start_run() {
         if (!restart_.empty()) throw UsageError("run --restart is not available in this version");
         RunOptions options;
@@ -206,6 +228,7 @@ class CommandLine {
         options.isa = isa_;
         options.overrides = parse_overrides(overrides_);
         options.quiet = quiet_;
+        options.overwrite = overwrite_;
         return run(options);
     }
 
@@ -216,6 +239,7 @@ class CommandLine {
         options.modes = static_cast<std::size_t>(modes_);
         options.tip_weight = tip_weight_ == "full" ? TipWeight::full : TipWeight::half;
         options.overrides = parse_overrides(overrides_);
+        options.overwrite = overwrite_;
         return buckling(options);
     }
 
@@ -270,24 +294,57 @@ class CommandLine {
     bool follow_ = false;
     bool vtk_ = false;
     bool csv_ = false;
+    bool overwrite_ = false;
 };
 
-}  // namespace
+int fail_at_output(int error) {
+    if (error == 0) return done;
+    return fail(simulation_failed, fmt::format("standard output: cannot write: {}",
+                                               std::generic_category().message(error)));
+}
 
-}  // namespace drillstrand::program
-
-int main(int argc, char** argv) {
-    using namespace drillstrand;
-    using namespace drillstrand::program;
+/// The command; every error becomes one line.
+int execute(int argc, char** argv) {
     try {
         return CommandLine().execute(argc, argv);
     } catch (const UsageError& error) {
         return fail(wrong_input, error.what());
     } catch (const InputError& error) {
         return fail(wrong_input, error.what());
+    } catch (const WriteError& error) {
+        return fail(simulation_failed, error.what());
     } catch (const ResultError& error) {
         return fail(wrong_input, error.what());
+    } catch (const std::system_error& error) {
+        if (std::ferror(stdout) == 0) return fail(simulation_failed, error.what());
+        const int why = error.code().value();
+        // a reader who closed the pipe has had enough
+        if (why == EPIPE) std::clearerr(stdout);
+        return fail_at_output(why == EPIPE ? 0 : why);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         return fail(simulation_failed, error.what());
     }
+}
+
+}  // namespace
+
+}  // namespace drillstrand::program
+
+int main(int argc, char** argv) {
+    using namespace drillstrand::program;
+    open_missing_streams();
+    std::signal(SIGPIPE, SIG_IGN);
+    int code = simulation_failed;
+    try {
+        code = execute(argc, argv);
+        const int error = finish_standard_output();
+        if (code == done) code = fail_at_output(error);
+    } catch (...) {
+        write_message("drillstrand: error: out of memory\n");
+    }
+    // After a failure HDF5's own work at the end of a process would try once more, and say so.
+    if (code == simulation_failed) std::_Exit(code);
+    return code;
 }

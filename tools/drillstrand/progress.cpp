@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "messages.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -45,7 +46,7 @@ void Progress::update(double time) {
 
 void Progress::clear() {
     if (!bar_shown_) return;
-    fmt::print(stderr, "\r\x1b[K");
+    say("\r\x1b[K");
     bar_shown_ = false;
 }
 
@@ -66,12 +67,11 @@ void Progress::print(double time) {
     if (terminal_) {
         const double fraction = duration_ > 0 ? std::clamp(time / duration_, 0.0, 1.0) : 1.0;
         const int filled = static_cast<int>(fraction * bar_width);
-        fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", bar_width - filled, text);
+        say("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", bar_width - filled, text);
         bar_shown_ = true;
     } else {
-        fmt::print(stderr, "drillstrand: {}\n", text);
+        say("drillstrand: {}\n", text);
     }
-    std::fflush(stderr);
 }
 
 }  // namespace drillstrand::program

@@ -11,6 +11,8 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/measured.hpp"
 #include "drillstrand/units.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "printable.hpp"
 #include "read_apart.hpp"
 #include "report_compare.hpp"
@@ -42,12 +44,6 @@ struct Measured {
 fs::path output_of(const ReportOptions& options) {
     fs::path output = options.output;
     if (output.empty()) output = options.result.stem().string() + ".html";
-    if (output == "-")
-        throw UsageError("-o -: a page cannot go to the standard output; name a file: -o OUT.html");
-    std::error_code ignored;
-    if (fs::equivalent(output, options.result, ignored))
-        throw UsageError(
-            fmt::format("-o {}: that is the result file; name another file", output.string()));
     return output;
 }
 
@@ -125,15 +121,22 @@ Result read_run(const fs::path& path) {
     return std::get<Result>(std::move(contents));
 }
 
+OutputRules rules_of(const ReportOptions& options) {
+    OutputRules rules{options.overwrite, {{options.result, "the result file"}}};
+    if (!options.measured.empty())
+        rules.inputs.push_back({options.measured, "the table of --compare"});
+    return rules;
+}
+
 /// Writes the page of what the result file holds now; true while its run goes on.
 bool write_report(const ReportOptions& options, const std::optional<Measured>& measured,
-                  bool last) {
+                  Existing existing, bool last) {
     const Result result = read_run(options.result);
     const bool running = result.footer.status == "running";
     std::optional<std::vector<ChannelComparison>> comparison;
     if (measured) comparison = compare(measured->channels, measured->offset, result.series);
     const bool live = options.follow && running && !last;
-    write_page(output_of(options), page_of(options, result, live, measured, comparison));
+    write_page(output_of(options), page_of(options, result, live, measured, comparison), existing);
     if (comparison && !live) print_comparison(*comparison);
     return running;
 }
@@ -153,10 +156,13 @@ void wait_for_next() {
 void follow(const ReportOptions& options, const std::optional<Measured>& measured) {
     watch_signals();
     int failures = 0;
+    OutputRules rules = rules_of(options);
     while (true) {
         const bool last = stop_requested() || is_forsaken(options.result);
         try {
-            if (!write_report(options, measured, last) || last) return;
+            require_output("-o", output_of(options), rules);
+            if (!write_report(options, measured, rules.existing(), last) || last) return;
+            rules.overwrite = true;  // from here on the page is the one written here
             failures = 0;
         } catch (const ResultError&) {
             if (last || ++failures == most_failures) throw;
@@ -170,15 +176,15 @@ void follow(const ReportOptions& options, const std::optional<Measured>& measure
 int report(const ReportOptions& options) {
     const fs::path output = output_of(options);
     const std::optional<Measured> measured = read_measured_of(options);
+    require_output("-o", output, rules_of(options));
     if (options.follow) {
-        fmt::print(stderr,
-                   "drillstrand: writing {} every {} s until the run ends; open it in a browser\n",
-                   printable(output.string()), follow_period.count());
+        say("drillstrand: writing {} every {} s until the run ends; open it in a browser\n",
+            printable(output.string()), follow_period.count());
         follow(options, measured);
     } else {
-        write_report(options, measured, true);
+        write_report(options, measured, rules_of(options).existing(), true);
     }
-    fmt::print(stderr, "drillstrand: the report is in {}\n", printable(output.string()));
+    say("drillstrand: the report is in {}\n", printable(output.string()));
     return done;
 }
 

@@ -1,14 +1,7 @@
 #include "report_page.hpp"
 
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
-#include <fstream>
 #include <string_view>
-#include <system_error>
-
-#include "drillstrand/error.hpp"
 #include "printable.hpp"
 
 // Files that the build puts into the program, each with a zero at its end (report_assets.cpp.in).
@@ -45,44 +38,29 @@ std::string escaped(std::string_view text) {
 
 /// Writes the template with its markers replaced, in the order in which they stand there.
 template <std::size_t count>
-void fill(std::ostream& out, std::string_view page,
-          const std::array<Insertion, count>& insertions) {
+void fill(NewFile& file, std::string_view page, const std::array<Insertion, count>& insertions) {
     for (const Insertion& insertion : insertions) {
         const std::size_t place = page.find(insertion.marker);
-        out << page.substr(0, place) << insertion.text;
+        file.write(page.substr(0, place));
+        file.write(insertion.text);
         page.remove_prefix(place + insertion.marker.size());
     }
-    out << page;
-}
-
-[[noreturn]] void refuse(const fs::path& path, int error) {
-    throw ResultError(path.string() + ": cannot write: " + std::generic_category().message(error));
+    file.write(page);
 }
 
 }  // namespace
 
-void write_page(const fs::path& path, const PageContent& content) {
-    if (fs::is_directory(path)) refuse(path, EISDIR);
+void write_page(const fs::path& path, const PageContent& content, Existing existing) {
     const std::string title = escaped(content.title);
-    fs::path fresh = path;
-    fresh += ".new" + std::to_string(::getpid());
-    errno = 0;
-    std::ofstream out(fresh, std::ios::binary);
-    fill(out, drillstrand_report_page,
+    NewFile file(path, existing);
+    fill(file, drillstrand_report_page,
          std::array<Insertion, 6>{{{"{{title}}", title},
                                    {"{{style}}", drillstrand_report_style},
                                    {"{{metadata}}", content.metadata},
                                    {"{{data}}", content.data},
                                    {"{{plotly}}", drillstrand_report_plotly},
                                    {"{{script}}", drillstrand_report_script}}});
-    out.close();
-    const int error = errno;
-    std::error_code problem;
-    if (out) fs::rename(fresh, path, problem);
-    if (out && !problem) return;
-    std::error_code ignored;
-    fs::remove(fresh, ignored);
-    refuse(path, problem ? problem.value() : error);
+    file.take_name();
 }
 
 }  // namespace drillstrand::program

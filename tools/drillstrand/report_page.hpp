@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "drillstrand/new_file.hpp"
+
 namespace drillstrand::program {
 
 struct PageContent {
@@ -15,6 +17,6 @@ struct PageContent {
 
 /// Writes the page beside `path` and then gives it its name, so that a browser never loads half of
 /// one. Throws ResultError where it cannot be written.
-void write_page(const std::filesystem::path& path, const PageContent& content);
+void write_page(const std::filesystem::path& path, const PageContent& content, Existing existing);
 
 }  // namespace drillstrand::program

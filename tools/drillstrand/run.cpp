@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
+#include <new>
+#include <utility>
 
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
@@ -12,6 +13,7 @@
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
@@ -25,10 +27,9 @@ namespace fs = std::filesystem;
 
 constexpr double large_energy_residual = 0.01;
 
-fs::path choose_output(const RunOptions& options) {
-    fs::path output = options.output;
-    if (output.empty()) output = options.case_path.stem().string() + ".h5";
-    return checked_output(output, options.case_path);
+fs::path output_of(const RunOptions& options) {
+    if (!options.output.empty()) return options.output;
+    return options.case_path.stem().string() + ".h5";
 }
 
 /// As asked, or the best one.
@@ -52,8 +53,8 @@ ResultHeader run_header(const Case& input, const Scene& scene, int threads, Isa 
 /// Takes a run's records to its file and its progress to the person who waits.
 class Recorder : public Observer {
   public:
-    Recorder(const fs::path& output, const ResultHeader& header, double duration, bool quiet)
-        : writer_(output, header), progress_(duration, quiet) {}
+    Recorder(ResultWriter writer, double duration, bool quiet)
+        : writer_(std::move(writer)), progress_(duration, quiet) {}
 
     void on_series(const SeriesRecord& record) override {
         writer_.append(record);
@@ -74,6 +75,8 @@ class Recorder : public Observer {
     }
 
     [[nodiscard]] double written_until() const { return writer_.written_until(); }
+    /// Whether the file is still there, as far as was seen.
+    [[nodiscard]] bool holds_results() const { return !writer_.is_lost(); }
     [[nodiscard]] double wall_seconds() const { return progress_.wall_seconds(); }
     [[nodiscard]] double energy_residual() const { return audit_.residual(); }
 
@@ -95,14 +98,13 @@ class Recorder : public Observer {
 
 void print_warnings(const Recorder& recorder, const Integrator& integrator) {
     for (const std::string& warning : integrator.warnings())
-        fmt::print(stderr, "drillstrand: warning: {}\n", warning);
+        say("drillstrand: warning: {}\n", warning);
     const double residual = recorder.energy_residual();
     if (std::abs(residual) <= large_energy_residual) return;
-    fmt::print(stderr,
-               "drillstrand: warning: {:.2g} % of the energy that moved {}; the time steps are too "
-               "long, or the scene gains energy\n",
-               100 * std::abs(residual),
-               residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
+    say("drillstrand: warning: {:.2g} % of the energy that moved {}; the time steps are too "
+        "long, or the scene gains energy\n",
+        100 * std::abs(residual),
+        residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
 }
 
 /// Of integrators that sample it.
@@ -114,11 +116,10 @@ std::string time_error_text(const StepStatistics& statistics) {
 void print_summary(const Recorder& recorder, const Integrator& integrator, const fs::path& output) {
     const StepStatistics statistics = integrator.statistics();
     const double wall = recorder.wall_seconds();
-    fmt::print(stderr,
-               "drillstrand: {:.6g} s simulated in {}: {:.3g} simulated s per s, {} steps, {} "
-               "rejected{}. Result: {} (look at it with: drillstrand info {})\n",
-               integrator.time(), duration_text(wall), integrator.time() / wall, statistics.steps,
-               statistics.rejected, time_error_text(statistics), output.string(), output.string());
+    say("drillstrand: {:.6g} s simulated in {}: {:.3g} simulated s per s, {} steps, {} "
+        "rejected{}. Result: {} (look at it with: drillstrand info {})\n",
+        integrator.time(), duration_text(wall), integrator.time() / wall, statistics.steps,
+        statistics.rejected, time_error_text(statistics), output.string(), output.string());
 }
 
 /// The run broke off: the file says why as far as it can, the error goes on to the caller.
@@ -126,18 +127,21 @@ int end_failed(Recorder& recorder, const Integrator& integrator, const fs::path&
                const std::string& why) {
     try {
         recorder.close("failed: " + why, integrator.statistics());
-    } catch (const ResultError&) {
+    } catch (const std::exception&) {
         // The first failure is the one to report.
     }
-    fmt::print(stderr, "drillstrand: error: {}; results up to {:.6g} s are in {}\n", why,
-               recorder.written_until(), output.string());
+    if (recorder.holds_results())
+        say("drillstrand: error: {}; results up to {:.6g} s are in {}\n", why,
+            recorder.written_until(), output.string());
+    else
+        say("drillstrand: error: {}\n", why);
     return simulation_failed;
 }
 
 int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::path& output) {
     recorder.close("interrupted", integrator.statistics());
-    fmt::print(stderr, "drillstrand: interrupted; results up to {:.6g} s are complete in {}\n",
-               recorder.written_until(), output.string());
+    say("drillstrand: interrupted; results up to {:.6g} s are complete in {}\n",
+        recorder.written_until(), output.string());
     return interrupted;
 }
 
@@ -145,9 +149,11 @@ int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::
 
 int run(const RunOptions& options) {
     const Isa isa = choose_isa(options.isa);
-    const fs::path output = choose_output(options);
+    const fs::path output = output_of(options);
     Case input = read_case(options.case_path, options.overrides);
     require_duration(input);
+    const OutputRules rules{options.overwrite, inputs_of(input)};
+    require_output("-o", output, rules);
     if (options.threads >= 0) input.run.threads = options.threads;
     const Scene scene = starting_scene(input);
     IntegratorOptions integration = integrator_options(input.run);
@@ -157,8 +163,9 @@ int run(const RunOptions& options) {
     // as asked, or as chosen
     const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
     watch_signals();
-    Recorder recorder(output, run_header(input, scene, threads, isa), input.run.duration,
-                      options.quiet);
+    Recorder recorder(
+        ResultWriter(output, run_header(input, scene, threads, isa), rules.existing()),
+        input.run.duration, options.quiet);
     try {
         const RunSchedule schedule{input.run.duration, input.output.interval,
                                    input.output.profile_interval};
@@ -169,6 +176,8 @@ int run(const RunOptions& options) {
         return end_failed(recorder, *integrator, output, error.what());
     } catch (const ResultError& error) {
         return end_failed(recorder, *integrator, output, error.what());
+    } catch (const std::bad_alloc&) {
+        return end_failed(recorder, *integrator, output, "out of memory");
     }
     print_warnings(recorder, *integrator);
     print_summary(recorder, *integrator, output);

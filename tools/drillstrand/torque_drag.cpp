@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/torque_drag_file.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 namespace drillstrand::program {
@@ -175,11 +176,10 @@ void print_failures(const TorqueDrag& study) {
     for (const TorqueDragCurve& curve : study.curves) {
         if (curve.failures.empty()) continue;
         const TorqueDragFailure& first = curve.failures.front();
-        fmt::print(stderr,
-                   "drillstrand: warning: {}: no equilibrium of the stiff string at {} of {} "
-                   "depths, - above and NaN in files; the first, at {:.6g} m: {}\n",
-                   motion_words(curve.motion), curve.failures.size(), study.bit_depth.size(),
-                   first.bit_depth, first.reason);
+        say("drillstrand: warning: {}: no equilibrium of the stiff string at {} of {} "
+            "depths, - above and NaN in files; the first, at {:.6g} m: {}\n",
+            motion_words(curve.motion), curve.failures.size(), study.bit_depth.size(),
+            first.bit_depth, first.reason);
     }
 }
 
@@ -189,10 +189,20 @@ bool found_something(const TorqueDrag& study) {
     });
 }
 
+void require_outputs(const TorqueDragCommand& command, const OutputRules& rules) {
+    require_output("-o", command.output, rules);
+    require_output("--csv", command.table, rules);
+    require_output("--profile-csv", command.profile_table, rules);
+    require_different("-o", command.output, "--csv", command.table);
+    require_different("-o", command.output, "--profile-csv", command.profile_table);
+    require_different("--csv", command.table, "--profile-csv", command.profile_table);
+}
+
 void write_files(const TorqueDragCommand& command, const Case& input, const TorqueDrag& study) {
-    if (!command.table.empty()) write_torque_drag_table(command.table, study);
+    const Existing existing = command.overwrite ? Existing::replace : Existing::keep;
+    if (!command.table.empty()) write_torque_drag_table(command.table, study, existing);
     if (!command.profile_table.empty())
-        write_torque_drag_profile_table(command.profile_table, study);
+        write_torque_drag_profile_table(command.profile_table, study, existing);
     if (command.output.empty()) return;
     TorqueDragResult result;
     result.header.title = input.title;
@@ -200,15 +210,14 @@ void write_files(const TorqueDragCommand& command, const Case& input, const Torq
     result.header.node_s = study.node_s;
     result.header.segment_s = study.segment_s;
     result.study = study;
-    write_torque_drag(command.output, result);
+    write_torque_drag(command.output, result, existing);
 }
 
 }  // namespace
 
 int torque_drag(const TorqueDragCommand& command) {
-    for (const auto& path : {command.output, command.table, command.profile_table})
-        static_cast<void>(checked_output(path, command.case_path));
     const Case input = read_case(command.case_path, command.overrides);
+    require_outputs(command, {command.overwrite, inputs_of(input)});
     const TorqueDrag study = compute_torque_drag(input, input.run.threads);
     write_files(command, input, study);
     print_case(input, study);
