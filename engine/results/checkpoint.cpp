@@ -173,7 +173,7 @@ Checkpoint read_checkpoint(const fs::path& path) {
 }
 
 void require_same_run(const fs::path& path, const Checkpoint& checkpoint,
-                      const ResultHeader& header) {
+                      const ResultHeader& header, bool same_bits_everywhere) {
     const auto refuse = [&](const std::string& what, const std::string& was,
                             const std::string& is) {
         throw ResultError(fmt::format("{}: the checkpoint is of another {}: {}, not {}",
@@ -197,7 +197,7 @@ void require_same_run(const fs::path& path, const Checkpoint& checkpoint,
             "{}: the checkpoint is of another case: {} differs, from a file that the case names",
             path.string(), i < scene.size() ? scene[i].name : checkpoint.scene[i].name));
     }
-    if (checkpoint.header.isa != header.isa)
+    if (!same_bits_everywhere && checkpoint.header.isa != header.isa)
         throw ResultError(
             fmt::format("{}: the checkpoint is of another instruction set: {}, not "
                         "{}; run with --isa {}",

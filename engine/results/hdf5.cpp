@@ -60,6 +60,17 @@ H5::FileAccPropList file_access() {
     return access;
 }
 
+namespace {
+
+std::vector<const char*> pointers_to(const std::vector<std::string>& texts) {
+    std::vector<const char*> pointers;
+    for (const std::string& text : texts)
+        pointers.push_back(text.c_str());
+    return pointers;
+}
+
+}  // namespace
+
 H5::DataSet create_dataset(H5::H5File& file, const std::string& path, bool integer,
                            const H5::DataSpace& space, const H5::DSetCreatPropList& properties,
                            const std::string& units, const std::string& description,
@@ -78,6 +89,15 @@ void write_values(H5::H5File& file, const std::string& path, bool integer,
     const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
     create_dataset(file, path, integer, space, H5::DSetCreatPropList::DEFAULT, units, description)
         .write(values.data(), H5::PredType::NATIVE_DOUBLE);
+}
+
+void write_texts(H5::H5File& file, const std::string& path, const std::string& description,
+                 const std::vector<std::string>& texts) {
+    const hsize_t count = texts.size();
+    H5::DataSet dataset = file.createDataSet(path, text_type(), H5::DataSpace(1, &count));
+    if (count > 0) dataset.write(pointers_to(texts).data(), text_type());
+    write_attribute(dataset, "units", std::string("1"));
+    write_attribute(dataset, "description", description);
 }
 
 void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header) {
@@ -100,6 +120,14 @@ void write_origin(H5::Group& root, const ResultHeader& header) {
 void write_attribute(H5::H5Object& object, const char* name, const std::string& value) {
     const char* text = value.c_str();
     attribute(object, name, text_type()).write(text_type(), &text);
+}
+
+void write_attribute(H5::H5Object& object, const char* name,
+                     const std::vector<std::string>& texts) {
+    if (object.attrExists(name)) object.removeAttr(name);
+    const hsize_t count = texts.size();
+    const H5::Attribute list = object.createAttribute(name, text_type(), H5::DataSpace(1, &count));
+    if (count > 0) list.write(text_type(), pointers_to(texts).data());
 }
 
 void write_attribute(H5::H5Object& object, const char* name, double value) {

@@ -73,6 +73,10 @@ void write_values(H5::H5File& file, const std::string& path, bool integer,
                   const std::vector<hsize_t>& shape, const std::string& units,
                   const std::string& description, const std::vector<double>& values);
 
+/// Creates a dataset of texts, one a row.
+void write_texts(H5::H5File& file, const std::string& path, const std::string& description,
+                 const std::vector<std::string>& texts);
+
 /// Writes the datasets of mesh_datasets() below the group `parent` ("" for the root), where the
 /// group mesh exists.
 void write_mesh(H5::H5File& file, const std::string& parent, const ResultHeader& header);
@@ -82,6 +86,8 @@ void write_origin(H5::Group& root, const ResultHeader& header);
 
 /// Attributes: created where they are missing, overwritten where they exist.
 void write_attribute(H5::H5Object& object, const char* name, const std::string& value);
+/// A list of texts, which may be empty.
+void write_attribute(H5::H5Object& object, const char* name, const std::vector<std::string>& texts);
 void write_attribute(H5::H5Object& object, const char* name, double value);
 void write_attribute(H5::H5Object& object, const char* name, std::int64_t value);
 

@@ -230,6 +230,30 @@ std::string short_text(const H5::Attribute& attribute, const H5::DataType& type)
     return value;
 }
 
+/// A list of texts of a dataset or an attribute, which `read` reads.
+template <class Object, class Read>
+std::vector<std::string> read_list(const std::string& what, const Object& object, hsize_t expected,
+                                   Read&& read) {
+    constexpr hsize_t most_texts = 100'000;
+    const H5::DataSpace space = object.getSpace();
+    if (object.getTypeClass() != H5T_STRING || !object.getDataType().isVariableStr() ||
+        space.getSimpleExtentType() != H5S_SIMPLE || space.getSimpleExtentNdims() != 1)
+        throw UnsoundFile(what + " is no list of texts");
+    hsize_t count = 0;
+    space.getSimpleExtentDims(&count);
+    if (count > most_texts || (expected != any_extent && count != expected))
+        throw UnsoundFile(fmt::format("{} has {} texts", what, count));
+    std::vector<std::string> list;
+    if (count == 0) return list;
+    std::vector<char*> texts(count, nullptr);
+    read(object.getDataType(), texts.data());
+    for (char* text : texts) {
+        list.emplace_back(text == nullptr ? "" : text);
+        H5free_memory(text);
+    }
+    return list;
+}
+
 }  // namespace
 
 UntrustedFile::UntrustedFile(const fs::path& path) {
@@ -268,6 +292,17 @@ void refuse_foreign_links(const UntrustedFile& file, const std::string& path) {
 
 bool holds_group(const fs::path& path, const std::string& group) {
     return read_file(path, [&](const UntrustedFile& file) { return holds(file, group); });
+}
+
+std::vector<std::string> read_texts(const UntrustedFile& file, const std::string& path,
+                                    hsize_t count) {
+    refuse_foreign_links(file, path);
+    if (file.hdf5().childObjType(path) != H5O_TYPE_DATASET) refuse(path, "not a dataset");
+    const H5::DataSet dataset = file.hdf5().openDataSet(path);
+    static_cast<void>(checked_storage(path, dataset));
+    return read_list(path, dataset, count, [&](const H5::DataType& type, char** texts) {
+        dataset.read(static_cast<void*>(texts), type);
+    });
 }
 
 CheckedDataset checked_dataset(const UntrustedFile& file, const std::string& path, bool integer,
@@ -333,6 +368,16 @@ void read_attribute(const H5::H5Object& object, const char* name, std::string& v
         throw UnsoundFile(fmt::format("attribute '{}' is no text", name));
     const H5::DataType type = attribute.getDataType();
     value = type.isVariableStr() ? long_text(attribute, type) : short_text(attribute, type);
+}
+
+void read_attribute(const H5::H5Object& object, const char* name, std::vector<std::string>& value) {
+    if (H5Aexists(object.getId(), name) <= 0)
+        throw UnsoundFile(fmt::format("no attribute '{}'; drillstrand writes one", name));
+    const H5::Attribute attribute = object.openAttribute(name);
+    const std::string what = fmt::format("attribute '{}'", name);
+    value = read_list(what, attribute, any_extent, [&](const H5::DataType& type, char** texts) {
+        attribute.read(type, static_cast<void*>(texts));
+    });
 }
 
 void read_attribute(const H5::H5Object& object, const char* name, double& value) {

@@ -98,9 +98,14 @@ std::vector<double> read_entries(UntrustedFile& file, const CheckedDataset& data
 std::vector<double> read_checked_values(UntrustedFile& file, const std::string& path, bool integer,
                                         const std::vector<hsize_t>& expected);
 
-/// Attributes: one value each, of the type that write_attribute() gives it; text may also be of
-/// fixed length. Throws UnsoundFile where there is none, or another one.
+/// A dataset of `count` texts (any_extent: of any number that is sensible).
+std::vector<std::string> read_texts(const UntrustedFile& file, const std::string& path,
+                                    hsize_t count);
+
+/// Attributes: one value each, or a list of texts, of the type that write_attribute() gives it;
+/// text may also be of fixed length. Throws UnsoundFile where there is none, or another one.
 void read_attribute(const H5::H5Object& object, const char* name, std::string& value);
+void read_attribute(const H5::H5Object& object, const char* name, std::vector<std::string>& value);
 void read_attribute(const H5::H5Object& object, const char* name, double& value);
 void read_attribute(const H5::H5Object& object, const char* name, std::int64_t& value);
 

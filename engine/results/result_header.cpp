@@ -23,6 +23,12 @@ ResultHeader result_header(const Case& input, const Scene& scene) {
         header.yield_bending.push_back(section.yield.bending);
         header.yield_torque.push_back(section.yield.torsion);
     }
+    double from = 0;
+    for (const Component& component : input.string.components) {
+        header.component_name.push_back(component.name);
+        header.component_start.push_back(from);
+        header.component_end.push_back(from += component.length);
+    }
     header.well = input.well;
     return header;
 }

@@ -38,6 +38,9 @@ void read_attributes(const H5::Group& root, Result& result) {
     hdf5::read_attribute(root, "largest_step", footer.statistics.largest_step);
     hdf5::read_attribute(root, "time_error", footer.statistics.time_error);
     hdf5::read_attribute(root, "energy_residual", footer.energy_residual);
+    hdf5::read_attribute(root, "largest_penetration", footer.largest_penetration);
+    hdf5::read_attribute(root, "time_error_median", footer.time_error_median);
+    hdf5::read_attribute(root, "warnings", footer.warnings);
 }
 
 }  // namespace

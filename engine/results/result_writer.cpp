@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "drillstrand/result_file.hpp"
@@ -251,15 +252,6 @@ H5::H5File open_file(const fs::path& path) {
     return file;
 }
 
-bool holds(const H5::H5File& file, const std::string& path, const std::vector<double>& expected) {
-    const H5::DataSet dataset = file.openDataSet(path);
-    if (dataset.getSpace().getSimpleExtentNpoints() != static_cast<hssize_t>(expected.size()))
-        return false;
-    std::vector<double> found(expected.size());
-    dataset.read(found.data(), H5::PredType::NATIVE_DOUBLE);
-    return found == expected;
-}
-
 /// Throws ResultError where another string or integrator made the file.
 void require_same_run(const fs::path& path, const ResultHeader& header) {
     hdf5::read_file(path, [&](hdf5::UntrustedFile& file) {
@@ -280,6 +272,7 @@ struct OpenFile {
     H5::Group root;
     RecordTable<SeriesRecord> series;
     RecordTable<Profile> profiles;
+    std::optional<std::vector<std::string>> warnings_written;
     bool closing = false;
 
     OpenFile(const fs::path& path, const ResultHeader& header)
@@ -325,6 +318,12 @@ struct OpenFile {
         hdf5::write_attribute(root, "largest_step", footer.statistics.largest_step);
         hdf5::write_attribute(root, "time_error", footer.statistics.time_error);
         hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
+        hdf5::write_attribute(root, "largest_penetration", footer.largest_penetration);
+        hdf5::write_attribute(root, "time_error_median", footer.time_error_median);
+        // texts take new space each time
+        if (!warnings_written || *warnings_written != footer.warnings)
+            hdf5::write_attribute(root, "warnings", footer.warnings);
+        warnings_written = footer.warnings;
     }
 
     /// The file's end goes first: tables that are cut off by a kill may name places up to it.

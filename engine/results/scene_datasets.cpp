@@ -22,6 +22,26 @@ void write_string(H5::H5File& file, const ResultHeader& header) {
     }
 }
 
+constexpr const char* names_path = "/string/component_name";
+constexpr const char* starts_path = "/string/component_start";
+constexpr const char* ends_path = "/string/component_end";
+
+void write_components(H5::H5File& file, const ResultHeader& header) {
+    const hsize_t count = header.component_name.size();
+    write_texts(file, names_path, "names of the components, head to bit", header.component_name);
+    write_values(file, starts_path, false, {count}, "m", "where a component begins, from the head",
+                 header.component_start);
+    write_values(file, ends_path, false, {count}, "m", "where it ends, from the head",
+                 header.component_end);
+}
+
+void read_components(UntrustedFile& file, ResultHeader& header) {
+    header.component_name = read_texts(file, names_path, any_extent);
+    const hsize_t count = header.component_name.size();
+    header.component_start = read_checked_values(file, starts_path, false, {count});
+    header.component_end = read_checked_values(file, ends_path, false, {count});
+}
+
 void read_string(UntrustedFile& file, ResultHeader& header) {
     for (const auto& entry : string_datasets()) {
         const std::vector<double> values = read_checked_values(
@@ -80,12 +100,18 @@ WellCase read_well(UntrustedFile& file) {
 }  // namespace
 
 void write_scene(H5::H5File& file, const ResultHeader& header) {
-    if (!header.outer_radius.empty()) write_string(file, header);
+    if (!header.outer_radius.empty()) {
+        write_string(file, header);
+        write_components(file, header);
+    }
     if (header.well) write_well(file, *header.well);
 }
 
 void read_scene(UntrustedFile& file, ResultHeader& header) {
-    if (holds(file, "/string")) read_string(file, header);
+    if (holds(file, "/string")) {
+        read_string(file, header);
+        if (holds(file, names_path)) read_components(file, header);
+    }
     if (holds(file, "/well")) header.well = read_well(file);
 }
 

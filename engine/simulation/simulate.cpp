@@ -18,7 +18,10 @@ namespace {
 class RecordTimes {
   public:
     /// An interval of 0 leaves only the first and the last time.
-    RecordTimes(double interval, double end) : interval_(interval), end_(end) {}
+    RecordTimes(double interval, double end, std::size_t taken) : interval_(interval), end_(end) {
+        while (static_cast<std::size_t>(count_) < taken)
+            advance();
+    }
 
     [[nodiscard]] double next() const { return next_; }
 
@@ -60,6 +63,18 @@ void require_finite(const Profile& profile) {
     }
 }
 
+/// A penalty wall stands for rock as long as the pipe goes into it by less than the pipe could move
+/// freely; ten times that is another well.
+void require_in_well(const SeriesRecord& record) {
+    constexpr double most = 10;
+    if (record.relative_penetration <= most) return;
+    throw GuardError(
+        fmt::format("the pipe left the well at t = {:.6g} s: it lies {:.3g} m deep in the wall, "
+                    "{:.3g} times its "
+                    "clearance; raise contact.normal_stiffness, or lower the loads",
+                    record.time, record.max_penetration, record.relative_penetration));
+}
+
 /// How many steps to take before the observer is asked again: as many as fill a tenth of a second
 /// of wall time, whatever a step costs. Integrators give the same bits in pieces of any size.
 class Pieces {
@@ -88,10 +103,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer) {
+RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer,
+                    const RecordCounts& taken) {
     Pieces pieces;
-    RecordTimes series_times(schedule.interval, schedule.duration);
-    RecordTimes profile_times(schedule.profile_interval, schedule.duration);
+    RecordTimes series_times(schedule.interval, schedule.duration, taken.series);
+    RecordTimes profile_times(schedule.profile_interval, schedule.duration, taken.profiles);
     const auto record = [&] {
         if (integrator.time() >= profile_times.next()) {
             const Profile profile = integrator.profile();
@@ -103,6 +119,7 @@ RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observe
             const SeriesRecord series = integrator.series();
             require_finite(series);
             observer.on_series(series);
+            require_in_well(series);
             series_times.advance();
         }
     };

@@ -43,7 +43,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// Throws ResultError, with the first thing that differs, where a run with this header and program
 /// is not the one of the checkpoint.
+/// `same_bits_everywhere`: the instruction set does not matter.
 void require_same_run(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                      const ResultHeader& header);
+                      const ResultHeader& header, bool same_bits_everywhere);
 
 }  // namespace drillstrand

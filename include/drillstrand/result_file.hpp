@@ -24,7 +24,12 @@ struct ResultHeader {
     std::vector<double> node_s;  ///< N+1 (m)
     std::vector<double> segment_s;  ///< N (m)
 
-    // The string, for pictures and other programs. Empty where a file does not say.
+    /// Components of the string, head to bit: name, and where it begins and ends from the head (m).
+    std::vector<std::string> component_name;
+    std::vector<double> component_start;
+    std::vector<double> component_end;
+
+    // The string on its mesh, for pictures and other programs. Empty where a file does not say.
     std::vector<double> mass;           ///< N+1, per length (kg/m)
     std::vector<double> weight;         ///< N+1, per length, buoyed (N/m)
     std::vector<double> outer_radius;   ///< N+1 (m)
@@ -46,7 +51,10 @@ ResultHeader result_header(const Case& input, const Scene& scene);
 struct ResultFooter {
     std::string status = "running";  ///< "running", "complete", "interrupted", "failed: why"
     double wall_seconds = 0;
-    double energy_residual = 0;  ///< EnergyAudit::residual()
+    double energy_residual = 0;      ///< EnergyAudit::residual()
+    double largest_penetration = 0;  ///< m
+    double time_error_median = 0;    ///< RunSummary::time_error_median()
+    std::vector<std::string> warnings;
     StepStatistics statistics;
 };
 

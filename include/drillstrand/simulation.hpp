@@ -74,6 +74,12 @@ struct RunSchedule {
     double profile_interval = 5;  ///< s; 0: first and last only
 };
 
+/// Records that a run has taken before it was left.
+struct RecordCounts {
+    std::size_t series = 0;
+    std::size_t profiles = 0;
+};
+
 /// Receives what a run reports. All calls come from the thread that called simulate().
 class Observer {
   public:
@@ -90,6 +96,9 @@ enum class RunOutcome { complete, stopped };
 /// Records at 0, interval, 2 interval, ... and at the end, profiles likewise, and advances the
 /// integrator in between. SimulationError passes through after what was recorded so far; a record
 /// with a number that is not finite is one, and is not handed on.
-RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer);
+/// `taken`: what a restored run has recorded already. A record of a pipe that left the well is
+/// handed on before the run ends with a GuardError.
+RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer,
+                    const RecordCounts& taken = {});
 
 }  // namespace drillstrand

@@ -25,9 +25,10 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 struct RunOptions {
     std::filesystem::path case_path;
-    std::filesystem::path output;  ///< empty: the case's stem + .h5 in the working directory
-    int threads = -1;              ///< -1: as the case says; 0: all cores
-    std::string isa;               ///< as isa_name(); empty: the best of this machine
+    std::filesystem::path output;   ///< empty: the case's stem + .h5 in the working directory
+    int threads = -1;               ///< -1: as the case says; 0: all cores
+    std::string isa;                ///< as isa_name(); empty: the best of this machine
+    std::filesystem::path restart;  ///< a checkpoint; empty: from the start
     Overrides overrides;
     bool quiet = false;
     bool overwrite = false;

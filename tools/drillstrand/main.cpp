@@ -111,7 +111,9 @@ class CommandLine {
         add_overrides(*run_);
         add_overwrite(*run_);
         run_->add_flag("--quiet", quiet_, "No progress on the error stream");
-        run_->add_option("--restart", restart_)->group("");  // not shown: not available yet
+        run_->add_option("--restart", restart_,
+                         "Go on from a checkpoint, bit for bit, and append to the result")
+            ->type_name("OUT.checkpoint.h5");
     }
 
     void add_check() {
@@ -220,12 +222,14 @@ class CommandLine {
     }
 
     int start_run() {
-        if (!restart_.empty()) throw UsageError("run --restart is not available in this version");
+        if (restart_.empty() && run_->count("--restart") > 0)
+            throw UsageError("--restart: expected a checkpoint, OUT.checkpoint.h5");
         RunOptions options;
         options.case_path = case_path_;
         options.output = output_;
         options.threads = threads_;
         options.isa = isa_;
+        options.restart = restart_;
         options.overrides = parse_overrides(overrides_);
         options.quiet = quiet_;
         options.overwrite = overwrite_;

@@ -24,8 +24,12 @@ double seconds(std::chrono::steady_clock::duration duration) {
 
 }  // namespace
 
-Progress::Progress(double duration, bool quiet)
-    : duration_(duration), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {
+Progress::Progress(double begin, double duration, bool quiet)
+    : duration_(duration),
+      quiet_(quiet),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      older_{start_, begin},
+      newer_(older_) {
     next_print_ = start_ + (terminal_ ? Clock::duration(bar_period) : line_period);
 }
 

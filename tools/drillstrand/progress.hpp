@@ -7,8 +7,8 @@ namespace drillstrand::program {
 
 class Progress {
   public:
-    /// `duration` is the simulated time of the whole run (s).
-    Progress(double duration, bool quiet);
+    /// `duration` is the simulated time of the whole run, of which `begin` is behind it (s).
+    Progress(double begin, double duration, bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -37,8 +37,8 @@ class Progress {
     Clock::time_point start_ = Clock::now();
     Clock::time_point next_print_;
     /// The rate is taken over the last ten to twenty seconds: from the older mark.
-    Mark older_{start_, 0};
-    Mark newer_{start_, 0};
+    Mark older_;
+    Mark newer_;
 };
 
 }  // namespace drillstrand::program

@@ -3,14 +3,16 @@
 
 #include <cmath>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
-#include "drillstrand/energy_audit.hpp"
+#include "drillstrand/checkpoint.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/isa.hpp"
 #include "drillstrand/result_file.hpp"
+#include "drillstrand/run_summary.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
 #include "messages.hpp"
@@ -24,8 +26,6 @@ namespace drillstrand::program {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double large_energy_residual = 0.01;
 
 fs::path output_of(const RunOptions& options) {
     if (!options.output.empty()) return options.output;
@@ -50,83 +50,145 @@ ResultHeader run_header(const Case& input, const Scene& scene, int threads, Isa 
     return header;
 }
 
-/// Takes a run's records to its file and its progress to the person who waits.
+/// Takes a run's records to its file, its state to checkpoints and its progress to the person who
+/// waits.
 class Recorder : public Observer {
   public:
-    Recorder(ResultWriter writer, double duration, bool quiet)
-        : writer_(std::move(writer)), progress_(duration, quiet) {}
+    /// `origin`: where a restarted run goes on.
+    Recorder(ResultWriter writer, const Scene& scene, const Case& input,
+             const Integrator& integrator, Checkpoint origin, fs::path checkpoint_path, bool quiet)
+        : writer_(std::move(writer)),
+          integrator_(integrator),
+          summary_(scene),
+          checkpoint_(std::move(origin)),
+          checkpoint_path_(std::move(checkpoint_path)),
+          checkpoint_interval_(input.output.checkpoint_interval),
+          wall_before_(checkpoint_.wall_seconds),
+          progress_(checkpoint_.time, input.run.duration, quiet) {
+        if (!checkpoint_.summary.empty()) summary_.restore(checkpoint_.summary);
+    }
 
     void on_series(const SeriesRecord& record) override {
         writer_.append(record);
-        audit_.add(record.energy);
+        summary_.add(record);
+        ++checkpoint_.series;
     }
 
-    void on_profile(const Profile& profile) override { writer_.append(profile); }
+    void on_profile(const Profile& profile) override {
+        writer_.append(profile);
+        ++checkpoint_.profiles;
+    }
 
-    bool on_progress(double time, const StepStatistics& statistics) override {
-        if (writer_.is_stale()) writer_.flush(footer("running", statistics));
+    bool on_progress(double time, const StepStatistics& /*statistics*/) override {
+        if (writer_.is_stale()) writer_.flush(footer("running"));
+        const double since_checkpoint = progress_.wall_seconds() - last_checkpoint_;
+        if (checkpoint_interval_ > 0 && since_checkpoint >= checkpoint_interval_) save_state();
         progress_.update(time);
         return !stop_requested();
     }
 
-    void close(const std::string& status, const StepStatistics& statistics) {
+    /// Writes a checkpoint of the run as it is. A checkpoint that fails is no reason to end it.
+    bool save_state() {
+        writer_.flush(footer("running"));
+        try {
+            writer_.sync();
+            checkpoint_.time = integrator_.time();
+            checkpoint_.wall_seconds = wall_seconds();
+            checkpoint_.state = integrator_.save();
+            checkpoint_.summary = summary_.save();
+            write_checkpoint(checkpoint_path_, checkpoint_);
+        } catch (const ResultError& error) {
+            progress_.clear();
+            say("drillstrand: warning: no checkpoint: {}\n", error.what());
+            last_checkpoint_ = progress_.wall_seconds();
+            return false;
+        }
+        last_checkpoint_ = progress_.wall_seconds();
+        return true;
+    }
+
+    void close(const std::string& status) {
         progress_.clear();
-        writer_.close(footer(status, statistics));
+        writer_.close(footer(status));
     }
 
     [[nodiscard]] double written_until() const { return writer_.written_until(); }
     /// Whether the file is still there, as far as was seen.
     [[nodiscard]] bool holds_results() const { return !writer_.is_lost(); }
-    [[nodiscard]] double wall_seconds() const { return progress_.wall_seconds(); }
-    [[nodiscard]] double energy_residual() const { return audit_.residual(); }
+    [[nodiscard]] double wall_seconds() const { return wall_before_ + progress_.wall_seconds(); }
+    [[nodiscard]] const RunSummary& summary() const { return summary_; }
+    [[nodiscard]] const fs::path& checkpoint_path() const { return checkpoint_path_; }
+
+    /// What a user should know of the run so far, a sentence each.
+    [[nodiscard]] std::vector<std::string> warnings() const {
+        std::vector<std::string> sentences = integrator_.warnings();
+        for (std::string& sentence : summary_.warnings())
+            sentences.push_back(std::move(sentence));
+        return sentences;
+    }
 
   private:
-    [[nodiscard]] ResultFooter footer(const std::string& status,
-                                      const StepStatistics& statistics) const {
+    [[nodiscard]] ResultFooter footer(const std::string& status) const {
         ResultFooter footer;
         footer.status = status;
-        footer.wall_seconds = progress_.wall_seconds();
-        footer.energy_residual = audit_.residual();
-        footer.statistics = statistics;
+        footer.wall_seconds = wall_seconds();
+        footer.energy_residual = summary_.energy_residual();
+        footer.largest_penetration = summary_.largest_penetration();
+        footer.time_error_median = summary_.time_error_median();
+        footer.warnings = warnings();
+        footer.statistics = integrator_.statistics();
         return footer;
     }
 
     ResultWriter writer_;
+    const Integrator& integrator_;
+    RunSummary summary_;
+    Checkpoint checkpoint_;  ///< the last one, and the counts since
+    fs::path checkpoint_path_;
+    double checkpoint_interval_;  ///< wall s; 0: none
+    double last_checkpoint_ = 0;  ///< wall s of this process
+    double wall_before_;          ///< that the run took before this process (s)
     Progress progress_;
-    EnergyAudit audit_;
 };
 
-void print_warnings(const Recorder& recorder, const Integrator& integrator) {
-    for (const std::string& warning : integrator.warnings())
+/// Of integrators that sample it: the fall from a start that is no equilibrium apart from the rest.
+std::string time_error_text(const RunSummary& summary) {
+    const double first = summary.time_error_at_start();
+    const double most = summary.time_error_largest();
+    if (first == 0 && most == 0) return "";
+    const std::string start =
+        fmt::format("{:.2g} % in the first {:.3g} s", 100 * first, summary.settled_after());
+    if (most == 0) return fmt::format("; time error of 16 steps {}", start);
+    return fmt::format("; time error of 16 steps {:.2g} % (median), {:.2g} % at most after {}",
+                       100 * summary.time_error_median(), 100 * most, start);
+}
+
+std::string wall_text(const Scene& scene, const RunSummary& summary) {
+    if (!scene.well) return "";
+    if (summary.largest_penetration() == 0) return "; the wall was not touched";
+    return fmt::format("; at most {:.3g} mm in the wall, {:.2g} of the clearance",
+                       1e3 * summary.largest_penetration(), summary.largest_relative_penetration());
+}
+
+void print_summary(const Recorder& recorder, const Scene& scene, const Integrator& integrator,
+                   const fs::path& output) {
+    for (const std::string& warning : recorder.warnings())
         say("drillstrand: warning: {}\n", warning);
-    const double residual = recorder.energy_residual();
-    if (std::abs(residual) <= large_energy_residual) return;
-    say("drillstrand: warning: {:.2g} % of the energy that moved {}; the time steps are too "
-        "long, or the scene gains energy\n",
-        100 * std::abs(residual),
-        residual > 0 ? "appeared from nowhere" : "vanished unaccounted for");
-}
-
-/// Of integrators that sample it.
-std::string time_error_text(const StepStatistics& statistics) {
-    if (statistics.time_error == 0) return "";
-    return fmt::format(", time error of 16 steps at most {:.2g} %", 100 * statistics.time_error);
-}
-
-void print_summary(const Recorder& recorder, const Integrator& integrator, const fs::path& output) {
     const StepStatistics statistics = integrator.statistics();
+    const RunSummary& summary = recorder.summary();
     const double wall = recorder.wall_seconds();
     say("drillstrand: {:.6g} s simulated in {}: {:.3g} simulated s per s, {} steps, {} "
-        "rejected{}. Result: {} (look at it with: drillstrand info {})\n",
+        "rejected{}{}; "
+        "energy out of balance by {:.2g} %. Result: {} (look at it with: drillstrand info {})\n",
         integrator.time(), duration_text(wall), integrator.time() / wall, statistics.steps,
-        statistics.rejected, time_error_text(statistics), output.string(), output.string());
+        statistics.rejected, time_error_text(summary), wall_text(scene, summary),
+        100 * std::abs(summary.energy_residual()), output.string(), output.string());
 }
 
 /// The run broke off: the file says why as far as it can, the error goes on to the caller.
-int end_failed(Recorder& recorder, const Integrator& integrator, const fs::path& output,
-               const std::string& why) {
+int end_failed(Recorder& recorder, const fs::path& output, const std::string& why) {
     try {
-        recorder.close("failed: " + why, integrator.statistics());
+        recorder.close("failed: " + why);
     } catch (const std::exception&) {
         // The first failure is the one to report.
     }
@@ -138,11 +200,30 @@ int end_failed(Recorder& recorder, const Integrator& integrator, const fs::path&
     return simulation_failed;
 }
 
-int end_interrupted(Recorder& recorder, const Integrator& integrator, const fs::path& output) {
-    recorder.close("interrupted", integrator.statistics());
-    say("drillstrand: interrupted; results up to {:.6g} s are complete in {}\n",
-        recorder.written_until(), output.string());
+int end_interrupted(Recorder& recorder, const fs::path& output) {
+    const bool saved = recorder.save_state();
+    recorder.close("interrupted");
+    std::string how;
+    if (saved)
+        how = fmt::format("; go on with the same command and --restart {}",
+                          recorder.checkpoint_path().string());
+    say("drillstrand: interrupted; results up to {:.6g} s are complete in {}{}\n",
+        recorder.written_until(), output.string(), how);
     return interrupted;
+}
+
+/// Reads a checkpoint and takes its state up. Throws ResultError where it is not of this run.
+Checkpoint take_up(const fs::path& path, const ResultHeader& header, bool same_bits_everywhere,
+                   Integrator& integrator) {
+    Checkpoint checkpoint = read_checkpoint(path);
+    require_same_run(path, checkpoint, header, same_bits_everywhere);
+    try {
+        integrator.restore(checkpoint.state);
+    } catch (const std::invalid_argument& problem) {
+        throw ResultError(
+            fmt::format("{}: cannot go on from it: {}", path.string(), problem.what()));
+    }
+    return checkpoint;
 }
 
 }  // namespace
@@ -152,8 +233,11 @@ int run(const RunOptions& options) {
     const fs::path output = output_of(options);
     Case input = read_case(options.case_path, options.overrides);
     require_duration(input);
-    const OutputRules rules{options.overwrite, inputs_of(input)};
+    const bool goes_on = !options.restart.empty();
+    const OutputRules rules{options.overwrite || goes_on, inputs_of(input)};
+    const fs::path checkpoint_file = checkpoint_path(output);
     require_output("-o", output, rules);
+    require_output("checkpoint", checkpoint_file, {true, rules.inputs});
     if (options.threads >= 0) input.run.threads = options.threads;
     const Scene scene = starting_scene(input);
     IntegratorOptions integration = integrator_options(input.run);
@@ -162,25 +246,29 @@ int run(const RunOptions& options) {
 
     // as asked, or as chosen
     const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
+    const ResultHeader header = run_header(input, scene, threads, isa);
+    Checkpoint origin;
+    if (goes_on) origin = take_up(options.restart, header, input.run.reproducible, *integrator);
+    origin.header = header;
+    const RecordCounts taken{origin.series, origin.profiles};
     watch_signals();
-    Recorder recorder(
-        ResultWriter(output, run_header(input, scene, threads, isa), rules.existing()),
-        input.run.duration, options.quiet);
+    Recorder recorder(goes_on ? ResultWriter::resume(output, header, taken.series, taken.profiles)
+                              : ResultWriter(output, header, rules.existing()),
+                      scene, input, *integrator, std::move(origin), checkpoint_file, options.quiet);
     try {
         const RunSchedule schedule{input.run.duration, input.output.interval,
                                    input.output.profile_interval};
-        if (simulate(*integrator, schedule, recorder) == RunOutcome::stopped)
-            return end_interrupted(recorder, *integrator, output);
-        recorder.close("complete", integrator->statistics());
+        if (simulate(*integrator, schedule, recorder, taken) == RunOutcome::stopped)
+            return end_interrupted(recorder, output);
+        recorder.close("complete");
     } catch (const SimulationError& error) {
-        return end_failed(recorder, *integrator, output, error.what());
+        return end_failed(recorder, output, error.what());
     } catch (const ResultError& error) {
-        return end_failed(recorder, *integrator, output, error.what());
+        return end_failed(recorder, output, error.what());
     } catch (const std::bad_alloc&) {
-        return end_failed(recorder, *integrator, output, "out of memory");
+        return end_failed(recorder, output, "out of memory");
     }
-    print_warnings(recorder, *integrator);
-    print_summary(recorder, *integrator, output);
+    print_summary(recorder, scene, *integrator, output);
     return done;
 }
 

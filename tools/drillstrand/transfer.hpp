@@ -185,12 +185,12 @@ void transfer(Pipe& pipe, std::optional<WellCase>& well) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, ResultHeader& header) {
-    auto& [title, case_text, integrator, threads, isa, node_s, segment_s, mass, weight,
-           outer_radius, polar_inertia, metal_area, yield_tension, yield_bending, yield_torque,
-           well] = header;
-    transfer_all(pipe, title, case_text, integrator, threads, isa, node_s, segment_s, mass, weight,
-                 outer_radius, polar_inertia, metal_area, yield_tension, yield_bending,
-                 yield_torque, well);
+    auto& [title, case_text, integrator, threads, isa, node_s, segment_s, component_name,
+           component_start, component_end, mass, weight, outer_radius, polar_inertia, metal_area,
+           yield_tension, yield_bending, yield_torque, well] = header;
+    transfer_all(pipe, title, case_text, integrator, threads, isa, node_s, segment_s,
+                 component_name, component_start, component_end, mass, weight, outer_radius,
+                 polar_inertia, metal_area, yield_tension, yield_bending, yield_torque, well);
 }
 
 template <class Pipe>
@@ -201,8 +201,10 @@ void transfer(Pipe& pipe, StepStatistics& statistics) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, ResultFooter& footer) {
-    auto& [status, wall_seconds, energy_residual, statistics] = footer;
-    transfer_all(pipe, status, wall_seconds, energy_residual, statistics);
+    auto& [status, wall_seconds, energy_residual, largest_penetration, time_error_median, warnings,
+           statistics] = footer;
+    transfer_all(pipe, status, wall_seconds, energy_residual, largest_penetration,
+                 time_error_median, warnings, statistics);
 }
 
 /// Records by the table of their datasets, as files hold them.
