@@ -193,16 +193,20 @@ void refuse_unknown_columns(const DelimitedTable& table) {
     }
 }
 
+/// Also of what stands in a table of its own.
+std::string key_path(std::string_view key) {
+    return fmt::format("string.component.{}", key);
+}
+
 double require(std::optional<double> value, const ComponentSource& source, std::string_view key,
                std::string_view meaning) {
-    KeyNotes::required(source.path_of(key));
+    KeyNotes::required(key_path(key));
     if (!value) source.fail_missing(key, meaning);
     return *value;
 }
 
-double value_or(double standard, std::optional<double> value, const ComponentSource& source,
-                std::string_view key) {
-    KeyNotes::standard(source.path_of(key), fmt::format("{}", standard));
+double value_or(double standard, std::optional<double> value, std::string_view key) {
+    KeyNotes::standard(key_path(key), fmt::format("{}", standard));
     return value.value_or(standard);
 }
 
@@ -231,7 +235,7 @@ void read_diameters(const ComponentSource& source, Component& component) {
         source.quantity("outer_diameter", dimension::length, plausible::diameter);
     // the polar inertia follows from the other one
     const bool needed = !all_stiffnesses_given(component) || !component.inertia;
-    KeyNotes::required(source.path_of("outer_diameter"));
+    KeyNotes::required(key_path("outer_diameter"));
     if (needed && !outer) {
         source.fail_missing("outer_diameter",
                             "a length such as \"5 in\", or all stiffnesses and inertias outright");
@@ -239,7 +243,7 @@ void read_diameters(const ComponentSource& source, Component& component) {
     component.outer_diameter = outer.value_or(0);
     component.inner_diameter = value_or(
         0, source.quantity("inner_diameter", dimension::length, plausible::diameter_or_none),
-        source, "inner_diameter");
+        "inner_diameter");
     if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
         source.fail("inner_diameter",
                     fmt::format("is {:.9g} m; expected less than the outer diameter of {:.9g} m",
@@ -284,13 +288,12 @@ PlacedComponent read_component(const ComponentSource& source) {
     read_diameters(source, component);
     component.linear_density = read_linear_density(source, component);
     component.youngs_modulus = read_youngs_modulus(source, component);
-    component.poisson_ratio =
-        value_or(component.poisson_ratio, source.number("poisson_ratio", poisson_range), source,
-                 "poisson_ratio");
+    component.poisson_ratio = value_or(
+        component.poisson_ratio, source.number("poisson_ratio", poisson_range), "poisson_ratio");
     component.yield_strength =
         value_or(component.yield_strength,
                  source.quantity("yield_strength", dimension::pressure, plausible::elasticity),
-                 source, "yield_strength");
+                 "yield_strength");
     component.curvature = source.curvature();
     return {component, source.where("outer_diameter")};
 }

@@ -84,7 +84,7 @@ TEST_F(OtherFiles, ATableOfOneEndlessLineIsRefusedAtItsFirstColumnTooMany) {
         header += ",a";
     folder_.write("survey.csv", header);
     EXPECT_EQ(folder_.message("case.toml"),
-              "survey.csv:1:2019: the line has more fields; expected at most 1000 columns");
+              "survey.csv:1:2018: the line has more fields; expected at most 1000 columns");
 }
 
 TEST_F(OtherFiles, KeysNestedWithoutEndAreRefused) {
