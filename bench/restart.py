@@ -26,10 +26,10 @@ CASES = Path(__file__).resolve().parent.parent / "cases"
 RUNS = {
     "leapfrog, well and mud": ("well1", {"run.duration": 10, "output.profile_interval": 1}),
     "leapfrog, drilling, tolerance": ("well2_drilling", {"run.duration": 2, "run.tolerance": 1e-3}),
-    "leapfrog, bare": ("cantilever", {"run.duration": 20, "run.integrator": "leapfrog"}),
+    "leapfrog, bare": ("cantilever", {"run.duration": 100, "run.integrator": "leapfrog"}),
     "dormand-prince, well": ("well1", {"run.duration": 0.03, "run.integrator": "dormand-prince",
                                        "output.interval": 0.003, "output.profile_interval": 0.015}),
-    "dormand-prince, bare": ("cantilever", {"run.duration": 0.2, "run.integrator": "dormand-prince",
+    "dormand-prince, bare": ("cantilever", {"run.duration": 0.5, "run.integrator": "dormand-prince",
                                             "output.interval": 0.01}),
 }
 SECONDS_BETWEEN_CHECKPOINTS = 0.02

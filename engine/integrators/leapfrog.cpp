@@ -57,7 +57,7 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
 Course Leapfrog::course_to(double end, double longest_step) const {
     const double time = state_.clock.time;
     const double steps = std::max(std::ceil((end - time) / longest_step * (1 - 1e-12)), 1.0);
-    if (time + 0.5 * (end - time) / steps == time)
+    if (time + longest_step == time)
         throw SimulationError(fmt::format(
             "the step fell to {:g} s at t = {:.6f} s: too short to move on", longest_step, time));
     return {time, end, static_cast<std::int64_t>(steps), 0};

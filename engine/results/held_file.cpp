@@ -92,10 +92,11 @@ void refuse_to_write(const fs::path& shown_path, int error) {
 
 std::optional<HeldFile> HeldFile::create(const fs::path& path, const fs::path& shown_path) {
     while (true) {
+        fs::path shown = shown_path;  // before there is a file that a lack of memory would leave
         const int descriptor = open_file(path, O_RDWR | O_CREAT | O_EXCL);
         if (descriptor < 0 && errno == EEXIST) return std::nullopt;
         if (descriptor < 0) refuse_to_write(shown_path, errno);
-        HeldFile file(descriptor, shown_path);
+        HeldFile file(descriptor, std::move(shown));
         lock(descriptor, F_RDLCK, F_OFD_SETLKW);
         // between the two calls it may have passed for one that was left behind
         if (leads_to(path, descriptor)) return file;

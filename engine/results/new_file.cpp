@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -88,8 +89,14 @@ NewFile::NewFile(const fs::path& path, Existing existing)
     remove_what_was_left(target_);
     for (int attempt = 1; !held_; ++attempt) {
         path_ = name_beside(target_, attempt);
-        if (auto file = HeldFile::create(path_, shown_path_))
+        auto file = HeldFile::create(path_, shown_path_);
+        if (!file) continue;
+        try {
             held_ = std::make_unique<HeldFile>(std::move(*file));
+        } catch (const std::bad_alloc&) {
+            ::unlink(path_.c_str());
+            throw;
+        }
     }
 }
 

@@ -30,14 +30,20 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
        for k, name in enumerate(["north", "east", "down"])},
     "head_rotation_rate[rad/s]": ("head_rotation_rate", None),
     "bit_rotation_rate[rad/s]": ("bit_rotation_rate", None),
+    "hook_load[N]": ("hook_load", None),
+    "surface_torque[N m]": ("surface_torque", None),
+    "weight_on_bit[N]": ("weight_on_bit", None),
+    "bit_torque[N m]": ("bit_torque", None),
     "kinetic_energy[J]": ("kinetic_energy", None),
     "elastic_energy[J]": ("elastic_energy", None),
+    "spring_energy[J]": ("spring_energy", None),
     "potential_energy[J]": ("potential_energy", None),
     "work[J]": ("work", None),
     "dissipation[J]": ("dissipation", None),
     "step_size[s]": ("step_size", None),
     "time_error": ("time_error", None),
     "max_penetration[m]": ("max_penetration", None),
+    "relative_penetration": ("relative_penetration", None),
     "contact_nodes": ("contact_nodes", None),
     "impacts": ("impacts", None),
     "contact_changes": ("contact_changes", None),
@@ -118,6 +124,7 @@ class Export(SmallRun):
                 "well_depth[m]": self.profile("well_depth")[k],
                 "contact_force[N/m]": self.profile("contact_force")[k],
                 "normal_force[N/m]": self.profile("normal_force")[k],
+                "side_force[N/m]": self.profile("side_force")[k],
                 "spin[rad/s]": self.profile("momentum")[k, :, 0] / inertia,
                 "outer_radius[m]": self.file["string/outer_radius"][...],
             }
@@ -206,7 +213,7 @@ class Export(SmallRun):
                                           momentum[..., k].ravel())
             np.testing.assert_array_equal(table[f"linear_momentum_{body}[kg/s]"],
                                           momentum[..., k + 3].ravel())
-        for name in ["eccentricity[m]", "well_depth[m]", "normal_force[N/m]"]:
+        for name in ["eccentricity[m]", "well_depth[m]", "normal_force[N/m]", "side_force[N/m]"]:
             np.testing.assert_array_equal(table[name], self.profile(name.split("[")[0]).ravel())
 
     def test_the_table_of_segments_has_a_row_per_profile_and_segment(self):

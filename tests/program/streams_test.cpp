@@ -1,4 +1,5 @@
 /// The program without its standard streams, or with some that take nothing.
+#include <cctype>
 #include <csignal>
 
 #include "program/program.hpp"
@@ -86,6 +87,15 @@ class Streams : public Program {
     bool is_run_ = false;
 };
 
+/// Times that a command takes or estimates have other digits each time.
+std::string without_numbers(std::string text) {
+    const auto is_of_number = [](unsigned char c) {
+        return std::isdigit(c) != 0 || c == '.' || c == '+' || c == '-' || c == 'e';
+    };
+    std::erase_if(text, is_of_number);
+    return text;
+}
+
 class WithoutStreams : public Streams, public testing::WithParamInterface<int> {};
 
 TEST_P(WithoutStreams, EveryCommandDoesItsWork) {
@@ -108,8 +118,8 @@ TEST_P(WithoutStreams, EveryCommandDoesItsWork) {
         }
         if (is_closed(STDOUT_FILENO)) {
             EXPECT_EQ(ending.out, "");
-        } else if (command != Command{"check", "pipe.toml"}) {  // which estimates times
-            EXPECT_EQ(ending.out.size(), open.out.size());
+        } else {
+            EXPECT_EQ(without_numbers(ending.out), without_numbers(open.out));
         }
     }
 }

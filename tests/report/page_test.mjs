@@ -103,7 +103,7 @@ test("every section of a run in a well is there, with the numbers of the result 
     const traces = (await plotted(page, "traces")).traces;
     assertClose(traces[0].x, times, "times");
     assertClose(traces[0].y, scaled(well["series/hook_load"], 1e-3), "hook load");
-    assertClose(traces[1].y, scaled(bit(3), -1e-3), "weight on bit");
+    assertClose(traces[1].y, scaled(well["series/weight_on_bit"], 1e-3), "weight on bit");
     assertClose(traces[2].y, scaled(well["series/surface_torque"], 1e-3), "surface torque");
     assertClose(traces[3].y, scaled(well["series/bit_torque"], 1e-3), "torque at the bit");
     assertClose(traces[4].y, scaled(well["series/bit_rotation_rate"], 1 / rpm), "rotation of the bit");

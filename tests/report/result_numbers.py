@@ -11,7 +11,8 @@ with h5py.File(sys.argv[1]) as file:
     group = {name: file[name][...] for name in ["series/time", "profiles/time", "mesh/node_s", "mesh/segment_s"]}
     series, profiles = file["series"], file["profiles"]
     numbers = {name: values.tolist() for name, values in group.items()}
-    for name in ["head_stress", "bit_stress", "head_rotation_rate", "bit_rotation_rate", "step_size",
+    for name in ["head_stress", "bit_stress", "head_rotation_rate", "bit_rotation_rate", "hook_load", "surface_torque",
+                 "weight_on_bit", "bit_torque", "step_size",
                  "max_penetration", "contact_nodes", "kinetic_energy", "work"]:
         numbers["series/" + name] = series[name][...].tolist()
     numbers["profile_count"] = profiles["time"].shape[0]
@@ -22,7 +23,7 @@ with h5py.File(sys.argv[1]) as file:
                 "axial": profiles["stress"][k, :, 3].tolist(),
                 "torque": (-profiles["stress"][k, :, 0]).tolist(),
                 "bending": np.hypot(profiles["stress"][k, :, 1], profiles["stress"][k, :, 2]).tolist(),
-                "side": profiles["normal_force"][k].tolist(),
+                "side": profiles["side_force"][k].tolist(),
                 "eccentricity": profiles["eccentricity"][k].tolist(),
                 "spin": (profiles["momentum"][k, :, 0] / file["string/polar_inertia"][...]).tolist(),
             }

@@ -8,6 +8,9 @@ import h5py
 SHAPES = {
     "/mesh/node_s": (8,),
     "/mesh/segment_s": (7,),
+    "/string/component_name": (0,),
+    "/string/component_start": (0,),
+    "/string/component_end": (0,),
     "/string/mass": (8,),
     "/string/weight": (8,),
     "/string/outer_radius": (8,),

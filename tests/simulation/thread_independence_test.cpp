@@ -195,6 +195,7 @@ const std::vector<Feature> features = {
          collar.inner_diameter = 0.07;
          collar.linear_density = 147;
          input.string.components = {pipe, collar};
+         input.initial.penetration_limit = 0.02;
      }},
 };
 

@@ -48,14 +48,23 @@ void print_run(const Result& result) {
                statistics.steps, statistics.rejected, statistics.smallest_step,
                statistics.largest_step);
     if (result.header.integrator == "leapfrog")
-        fmt::print("  time error       {:.2g} % at most in 16 steps\n",
-                   100 * statistics.time_error);
+        fmt::print(
+            "  time error       {:.2g} % in 16 steps (median after the start), {:.2g} % at most\n",
+            100 * footer.time_error_median, 100 * statistics.time_error);
     fmt::print("  energy residual  {:.2g} %\n", 100 * footer.energy_residual);
+    fmt::print("  in the wall      {:.4g} m at most\n", footer.largest_penetration);
+    for (const std::string& warning : footer.warnings)
+        fmt::print("  warning          {}\n", printable(warning));
 }
 
 void print_extent(const Result& result) {
     fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
                result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
+    const ResultHeader& header = result.header;
+    for (std::size_t k = 0; k < header.component_name.size(); ++k)
+        fmt::print("  {:<15}  {:.6g} to {:.6g} m  {}\n", k == 0 ? "components" : "",
+                   header.component_start[k], header.component_end[k],
+                   printable(header.component_name[k]));
     fmt::print("  series times     {}\n", times_text(result.series));
     fmt::print("  profile times    {}\n", times_text(result.profiles));
 }

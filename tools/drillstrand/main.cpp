@@ -79,6 +79,7 @@ class CommandLine {
             throw UsageError(
                 fmt::format("{}; see {} --help", describe(error, argc, argv), command_name()));
         }
+        refuse_empty_values();
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
@@ -221,9 +222,19 @@ class CommandLine {
                          "Replace files of the same names, where drillstrand wrote them");
     }
 
+    /// An option that is given says something.
+    void refuse_empty_values() const {
+        for (const CLI::App* command : app_.get_subcommands()) {
+            for (const CLI::Option* option : command->get_options()) {
+                const std::vector<std::string>& values = option->results();
+                if (std::find(values.begin(), values.end(), "") != values.end())
+                    throw UsageError(fmt::format("{}: nothing given; expected {}",
+                                                 option->get_name(), option->get_type_name()));
+            }
+        }
+    }
+
     int start_run() {
-        if (restart_.empty() && run_->count("--restart") > 0)
-            throw UsageError("--restart: expected a checkpoint, OUT.checkpoint.h5");
         RunOptions options;
         options.case_path = case_path_;
         options.output = output_;

@@ -104,6 +104,8 @@ PageContent page_of(const ReportOptions& options, const Result& result, bool liv
                     const std::optional<std::vector<ChannelComparison>>& comparison) {
     ArrayBlock arrays;
     std::vector<std::string> notes;
+    for (const std::string& warning : result.footer.warnings)
+        notes.push_back("Warning: " + warning + ".");
     add_series(result, arrays, notes);
     add_string(result, arrays, notes);
     if (comparison) add_measured(measured->channels, measured->offset, arrays, notes);

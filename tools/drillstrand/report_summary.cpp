@@ -148,6 +148,9 @@ Items run_items(const Result& result) {
     if (steps.time_error > 0)
         items.push_back(plain("time-error", "Time error of 16 steps, greatest",
                               fmt::format("{:.2g} %", 100 * steps.time_error)));
+    if (result.header.well)
+        items.push_back(
+            quantity("penetration", "In the wall, greatest", footer.largest_penetration, diameter));
     items.push_back(plain("residual", "Energy residual",
                           fmt::format("{:.2g} %", 100 * footer.energy_residual)));
     items.push_back(
@@ -179,6 +182,18 @@ Items string_items(const ResultHeader& header) {
         quantity("weight", "Weight in the fluid", total_of(header.weight, header.node_s), force));
     if (*most > 0)
         items.push_back(range("outer-diameter", "Outer diameter", 2 * *least, 2 * *most, diameter));
+    return items;
+}
+
+/// Where each component begins and ends, from the head.
+Items component_items(const ResultHeader& header) {
+    Items items;
+    for (std::size_t k = 0; k < header.component_name.size(); ++k)
+        items.push_back(range(fmt::format("component-{}", k).c_str(),
+                              header.component_name[k].empty()
+                                  ? fmt::format("component {}", k + 1).c_str()
+                                  : header.component_name[k].c_str(),
+                              header.component_start[k], header.component_end[k], length));
     return items;
 }
 
@@ -274,6 +289,8 @@ std::string facts_json(const Result& result) {
     std::vector<std::string> groups = {group("Run", run_items(result))};
     if (!result.header.node_s.empty())
         groups.push_back(group("String", string_items(result.header)));
+    if (const Items components = component_items(result.header); !components.empty())
+        groups.push_back(group("Components, from the head", components));
     if (result.header.well) groups.push_back(group("Well", well_items(*result.header.well)));
     if (!result.series.empty()) groups.push_back(group("Loads over the run", load_items(result)));
     return json_list(groups);

@@ -1,0 +1,137 @@
+// What a run says of itself, and starts that it refuses.
+#include "drillstrand/run_summary.hpp"
+
+#include <gmock/gmock.h>
+
+#include "drillstrand/error.hpp"
+#include "drillstrand/simulation.hpp"
+#include "support/run_case.hpp"
+
+namespace drillstrand::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Case pipe_in_hole(const std::string& more) {
+    Case input = case_from(R"(
+        [[string.component]]
+        length = 60
+        linear_density = 34.0
+        outer_diameter = 0.14
+        inner_diameter = 0.11
+        youngs_modulus = "200 GPa"
+        [mesh]
+        segments = 12
+        [run]
+        duration = 1
+        )" + more);
+    WellCase hole;
+    hole.survey = {{0, 0, 0}, {100, 0, 0}};
+    hole.sections = {{100, 0.24}};  // 50 mm of clearance
+    input.well = hole;
+    return input;
+}
+
+RunSummary summary() {
+    static const Scene scene = build_scene(pipe_in_hole(""));
+    return RunSummary(scene);
+}
+
+SeriesRecord record_at(double time) {
+    SeriesRecord record;
+    record.time = time;
+    return record;
+}
+
+TEST(RunSummary, TellsTheFallOfTheStartApartFromTheTimeErrorOfTheRun) {
+    RunSummary run = summary();
+    EXPECT_EQ(run.settled_after(), 1);  // axial waves need 0.05 s
+    const auto add = [&](double time, double error) {
+        SeriesRecord record = record_at(time);
+        record.time_error = error;
+        run.add(record);
+    };
+    add(0, 0.05);
+    add(0.5, 0.3);
+    for (const double time : {2.0, 3.0, 4.0, 5.0, 6.0})
+        add(time, 0.001 * time);
+    EXPECT_EQ(run.time_error_at_start(), 0.3);
+    EXPECT_EQ(run.time_error_median(), 0.004);
+    EXPECT_EQ(run.time_error_largest(), 0.006);
+}
+
+TEST(RunSummary, WarnsOfAPipeDeeperInTheWallThanItsClearance) {
+    RunSummary run = summary();
+    SeriesRecord record = record_at(1);
+    record.max_penetration = 0.04;
+    record.relative_penetration = 0.8;
+    run.add(record);
+    EXPECT_THAT(run.warnings(), IsEmpty());
+    record.time = 2;
+    record.max_penetration = 0.117;
+    record.relative_penetration = 2.34;
+    run.add(record);
+    EXPECT_THAT(run.warnings(), ElementsAre(testing::AllOf(HasSubstr("0.117 m deep in the wall"),
+                                                           HasSubstr("2.3 times its clearance"),
+                                                           HasSubstr("t = 2 s"))));
+    EXPECT_EQ(run.largest_penetration(), 0.117);
+}
+
+TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
+    RunSummary whole = summary();
+    RunSummary part = summary();
+    for (int k = 0; k < 40; ++k) {
+        SeriesRecord record = record_at(0.1 * k);
+        record.energy.kinetic = 3.0 * (k % 7);
+        record.energy.work = 2.0 * k;
+        record.max_penetration = 0.001 * ((k * 5) % 11);
+        record.relative_penetration = record.max_penetration / 0.05;
+        record.time_error = 1e-4 * (k / 3);
+        whole.add(record);
+        if (k == 20) {
+            RunSummary later = summary();
+            later.restore(part.save());
+            part = later;
+        }
+        part.add(record);
+    }
+    EXPECT_EQ(part.energy_residual(), whole.energy_residual());
+    EXPECT_EQ(part.largest_penetration(), whole.largest_penetration());
+    EXPECT_EQ(part.time_error_median(), whole.time_error_median());
+    EXPECT_EQ(part.warnings(), whole.warnings());
+    EXPECT_THROW(part.restore({}), std::invalid_argument);
+}
+
+std::string refusal_of(const std::string& more) {
+    try {
+        static_cast<void>(starting_scene(pipe_in_hole(more)));
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(Start, DeeperInTheWallThanTheClearanceIsRefused) {
+    EXPECT_EQ(refusal_of("[initial]\noffset = [0.099, 0, 0]\n"), "");
+    EXPECT_THAT(refusal_of("[initial]\noffset = [0.101, 0, 0]\n"),
+                testing::AllOf(HasSubstr("0.051 m deep in the wall"), HasSubstr("0.05 m")));
+}
+
+TEST(Start, MayStateItsOwnLimit) {
+    const std::string deep = "[initial]\noffset = [0.101, 0, 0]\npenetration_limit = ";
+    EXPECT_EQ(refusal_of(deep + "0.06\n"), "");
+    EXPECT_THAT(refusal_of(deep + "0.01\n"), HasSubstr("initial.penetration_limit"));
+}
+
+TEST(Run, ThatLeavesTheWellStops) {
+    Case input = pipe_in_hole(
+        "[head]\ndirection = [0, 0, 1]\n[bit]\nforce = [2e5, 0, 0]\n"
+        "[contact]\nnormal_stiffness = 1000\nnormal_damping = 0\n"
+        "[output]\ninterval = 0.01\n");
+    EXPECT_THROW(static_cast<void>(run(input)), GuardError);
+}
+
+}  // namespace
+}  // namespace drillstrand::test
