@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace drillstrand {
@@ -66,9 +67,50 @@ void Balance::hold_friction(const RodState& state) {
     held_friction_ = std::move(held);
 }
 
+bool Imbalance::is_rounding() const {
+    for (std::size_t k = 0; k < force.size(); ++k) {
+        if (!(force[k].head<3>().norm() <= rounding[k].force &&
+              force[k].tail<3>().norm() <= rounding[k].couple))
+            return false;
+    }
+    return true;
+}
+
+/// Each of two positions is known to eps |x| / 2, a director to eps: a chord of h to r = eps (|x| +
+/// h), its strain to r / h. Pull follows with EA or kGA, the couple of the lean with h times the
+/// pull, bending and torsion with EI / h and GJ / h; a wall with its stiffness.
+void Balance::add_rounding(const RodState& state, std::size_t segment, double pull,
+                           Imbalance& sum) const {
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const std::size_t node = segment + 1;
+    const SectionProperties& section = scene_.mesh.segment[segment];
+    const double h = scene_.mesh.length[segment];
+    const double position =
+        eps * std::max(state.position[segment].norm(), state.position[node].norm());
+    const double r = position + eps * h;
+    const double stiffness = std::max(section.axial_stiffness, section.shear_stiffness) / h;
+    const double force = stiffness * r;
+    const double couple =
+        h * force + eps * (section.bending_stiffness + section.torsional_stiffness) / h;
+    sum.energy_rounding += (pull + 0.5 * force) * r;
+
+    const auto add = [&](std::size_t at, double wall) {
+        Imbalance::Rounding& its = sum.rounding[at - 1];
+        its.force += force + wall;
+        its.couple += couple + scene_.mesh.node[at].outer_radius * wall;
+    };
+    if (segment > 0) add(segment, 0);
+    double wall = 0;
+    if (scene_.well)
+        wall = std::min(scene_.normal_stiffness[node], loads_.stiffest_wall) *
+               scene_.mesh.cell[node] * position;
+    add(node, wall);
+}
+
 Imbalance Balance::imbalance(const RodState& state) {
     const std::size_t segments = state.twist.size();
     Imbalance sum;
+    sum.rounding.resize(segments);
     sum.force.assign(segments, Vector6::Zero());
     sum.loose.assign(segments, Vector6::Zero());
     const auto add_energy = [&](double energy) {
@@ -84,6 +126,7 @@ Imbalance Balance::imbalance(const RodState& state) {
         if (k > 0) sum.force[k - 1] += forces.on_a;
         sum.force[k] += forces.on_b;
         add_energy(forces.energy);
+        add_rounding(state, k, forces.on_a.head<3>().norm(), sum);
 
         const std::size_t node = k + 1;
         const Vector3d weight =

@@ -33,6 +33,18 @@ struct Imbalance {
     NodeMotion loose;       ///< of these, the loads without a potential
     double energy = 0;      ///< strain, walls, weight and dead forces (J)
     double energy_sum = 0;  ///< sum of the magnitudes of its parts (J)
+
+    /// What rounding alone leaves out of balance (README.md, "Rounding"): per node (N, N m), and of
+    /// the energy (J).
+    struct Rounding {
+        double force = 0;
+        double couple = 0;
+    };
+    std::vector<Rounding> rounding;
+    double energy_rounding = 0;
+
+    /// Whether nothing is left out of balance but what rounding leaves.
+    [[nodiscard]] bool is_rounding() const;
 };
 
 /// Wall on a node, per length as reports show it.
@@ -69,6 +81,8 @@ class Balance {
     [[nodiscard]] RodSegment segment(const RodState& state, std::size_t k) const;
     [[nodiscard]] const WellArc* arc(std::size_t node, const Eigen::Vector3d& position);
     [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
+    void add_rounding(const RodState& state, std::size_t segment, double pull,
+                      Imbalance& sum) const;
 
     const Scene& scene_;
     Head head_;

@@ -95,9 +95,10 @@ Newton::Downhill Newton::downhill(const RodState& state, const Imbalance& now, d
     step.imbalance = balance_.imbalance(*step.state);
     const double gain =
         now.energy - step.imbalance.energy + loose_work(now, step.imbalance, motion, scale);
-    const bool in_rounding = predicted < rounding * now.energy_sum;
+    const bool in_rounding = predicted < std::max(rounding * now.energy_sum, now.energy_rounding);
     step.verdict = in_rounding || gain > 0.1 * predicted ? Verdict::taken : Verdict::uphill;
-    step.is_small = scale == 1 && size(motion) < settled;
+    if (scale == 1) step.size = size(motion);
+    step.is_small = step.size < settled;
     step.is_as_predicted = scale == 1 && (in_rounding || gain > 0.5 * predicted);
     return step;
 }
@@ -106,6 +107,7 @@ SearchOutcome Newton::descend(RodState& state, double bed) {
     Imbalance now = balance_.imbalance(state);
     balance_.stiffness(state, stiffness_);
     bool firm_alone = true;  // without the bed, as far as is known at this state
+    double last = std::numeric_limits<double>::infinity();  // correction without the bed
     while (!is_spent() && bed < most_bed) {
         ++iterations_;
         Downhill step = downhill(state, now, bed);
@@ -115,6 +117,9 @@ SearchOutcome Newton::descend(RodState& state, double bed) {
             continue;
         }
         if (step.is_small && bed > 0 && !firm_alone) return SearchOutcome::saddle;
+        if (bed == 0 && step.size > 0.5 * last && now.is_rounding())
+            return SearchOutcome::converged;
+        last = bed == 0 ? step.size : std::numeric_limits<double>::infinity();
         state = std::move(*step.state);
         now = std::move(step.imbalance);
         balance_.stiffness(state, stiffness_);
@@ -158,7 +163,11 @@ SearchOutcome Newton::follow(RodState& state) {
     for (int i = 0; i < most && !is_spent(); ++i) {
         ++iterations_;
         std::optional<Correction> next = corrected(at, now);
-        if (!next) return SearchOutcome::failed;
+        if (!next && !now.is_rounding()) return SearchOutcome::failed;
+        if (!next) {
+            state = std::move(at);
+            return SearchOutcome::converged;
+        }
         at = std::move(next->state);
         now = std::move(next->imbalance);
         if (!next->is_small) continue;

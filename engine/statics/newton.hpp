@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -46,9 +47,10 @@ class Newton {
     enum class Verdict { not_firm, too_far, uphill, taken };
     struct Downhill {
         Verdict verdict = Verdict::not_firm;
-        double far = 0;                 ///< reach of the whole step
-        std::optional<RodState> state;  ///< after the step
-        Imbalance imbalance;            ///< there
+        double far = 0;                                         ///< reach of the whole step
+        std::optional<RodState> state;                          ///< after the step
+        Imbalance imbalance;                                    ///< there
+        double size = std::numeric_limits<double>::infinity();  ///< of the whole step
         bool is_small = false;
         bool is_as_predicted = false;
     };

@@ -59,16 +59,17 @@ void EquilibriumSearch::settle_in_well() {
 }
 
 /// Stiffnesses on the way to the walls' own (Pa), from one into which the weight sinks by a tenth
-/// of the clearance. Contacts that come and go change little where the wall is soft.
+/// of the clearance. Contacts that come and go change little where the wall is soft. None is so
+/// soft that a string which weighs next to nothing leaves the well by its own stiffness.
 std::vector<double> EquilibriumSearch::wall_stiffnesses() const {
-    double soft = 0;
-    for (std::size_t k = 1; k < scene_.weight.size(); ++k)
-        soft = std::max(soft, 10 * std::abs(scene_.weight[k]) / newton_.clearance(k));
     const double stiff =
         *std::max_element(scene_.normal_stiffness.begin(), scene_.normal_stiffness.end());
+    double soft = 1e-4 * stiff;
+    for (std::size_t k = 1; k < scene_.weight.size(); ++k)
+        soft = std::max(soft, 10 * std::abs(scene_.weight[k]) / newton_.clearance(k));
     constexpr double ratio = 10;
     std::vector<double> stiffnesses;
-    for (double k = soft; k > 0 && k < stiff / 2; k *= ratio)
+    for (double k = soft; k < stiff / 2; k *= ratio)
         stiffnesses.push_back(k);
     stiffnesses.push_back(infinity);
     return stiffnesses;

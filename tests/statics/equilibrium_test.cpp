@@ -305,6 +305,100 @@ TEST(Capstan, TensionGrowsByTheExponentialOfFrictionTimesAngleAtSecondOrder) {
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
 }
 
+// ------------------------------------------------------------------ next to no weight
+
+/// A pipe of that length (m) that starts on the axis of a well which is vertical down to 200 m and
+/// then bends to the north-east.
+Case bent_well_case(double pipe_length, double gravity) {
+    Case input = test::case_from(fmt::format("gravity = {:.17g}\n", gravity) +
+                                 test::table_3_pipe(pipe_length) + test::mesh(100));
+    input.well = test::well_through(
+        {{0, 0, 0}, {200, 0, 0}, {500, pi / 4, pi / 6}, {2000, pi / 3, pi / 4}}, 0.22);
+    return input;
+}
+
+constexpr double rounding_force = 1e-4;  // N: EA eps x / h = 3e-5 N for 190 m on 100 segments
+
+TEST(WeightlessString, OnTheAxisOfAWellStaysThereWithoutForce) {
+    for (const double gravity : {0.0, 1e-15, 1e-9}) {
+        const Equilibrium found = find_equilibrium(build_scene(bent_well_case(190, gravity)));
+        EXPECT_NEAR(found.hook_load, 0, rounding_force) << gravity;
+        EXPECT_LT(found.residual, rounding_force) << gravity;
+        EXPECT_NEAR(found.series.bit_position.z(), 190, 1e-9) << gravity;
+        EXPECT_LT(found.series.bit_position.head<2>().norm(), 1e-3) << gravity;
+        EXPECT_EQ(found.series.contact_nodes, 0) << gravity;
+        EXPECT_TRUE(found.stable) << gravity;
+    }
+}
+
+TEST(WeightlessString, RotatesInAWellWithoutTorque) {
+    EquilibriumOptions options;
+    options.motion = steady_motion(StringMotion::rotating, 10);
+    const Equilibrium found = find_equilibrium(build_scene(bent_well_case(190, 0)), options);
+    EXPECT_NEAR(found.hook_load, 0, rounding_force);
+    EXPECT_NEAR(found.surface_torque, 0, rounding_force);
+}
+
+TEST(WeightlessString, IsTheLimitOfEverLighterStringsInABend) {
+    const Equilibrium none = find_equilibrium(build_scene(bent_well_case(500, 0)));
+    EXPECT_GT(none.series.contact_nodes, 0);
+    for (const double gravity : {1e-15, 1e-9, 1e-6}) {
+        const Equilibrium light = find_equilibrium(build_scene(bent_well_case(500, gravity)));
+        EXPECT_LT((light.series.bit_position - none.series.bit_position).norm(), 1e-5) << gravity;
+        EXPECT_NEAR(light.hook_load, none.hook_load, rounding_force + 2e4 * gravity) << gravity;
+        EXPECT_TRUE(light.stable) << gravity;
+    }
+}
+
+TEST(WeightlessString, OfNeutralBuoyancyIsThatWithoutGravity) {
+    const Equilibrium none = find_equilibrium(build_scene(bent_well_case(500, 0)));
+    Case floating = bent_well_case(500, 9.81);
+    const double area = pi / 4 * (0.14 * 0.14 - 0.12 * 0.12);
+    floating.fluid = FluidCase{.density = 31.8557 / area, .viscosity = 1e-3};
+    const Scene scene = build_scene(floating);
+    EXPECT_LT(std::abs(scene.weight[50]), 1e-11);
+    const Equilibrium found = find_equilibrium(scene);
+    EXPECT_LT((found.series.bit_position - none.series.bit_position).norm(), 1e-5);
+    EXPECT_NEAR(found.hook_load, none.hook_load, rounding_force);
+}
+
+/// A pipe that points north and down from the head at a place, without a well.
+Equilibrium free_pipe(const Vector3d& head, double gravity) {
+    Case input = test::case_from(fmt::format("gravity = {:.17g}\n", gravity) + test::table_2_pipe +
+                                 test::mesh(24) + "[head]\ndirection = [1, 0, 2]\n");
+    input.head.position = head;
+    return find_equilibrium(build_scene(input));
+}
+
+TEST(WeightlessString, IsStraightWhereverItsHeadIs) {
+    for (const double far : {0.0, 1e3, 1e5}) {
+        const Vector3d head(far, -far, far);
+        const Equilibrium found = free_pipe(head, 0);
+        const Vector3d tip = 24 * Vector3d(1, 0, 2).normalized();
+        EXPECT_LT((found.series.bit_position - head - tip).norm(), 1e-9 * (1 + far)) << far;
+        EXPECT_TRUE(found.stable);
+    }
+}
+
+TEST(WeightlessString, SagsWithTheLeastWeightByWLToTheFourthOver8EI) {
+    for (const double gravity : {1e-9, 1e-6, 1e-3}) {
+        const Vector3d across = Vector3d(-2, 0, 1) / std::sqrt(5.0);
+        const double sag = free_pipe(Vector3d::Zero(), gravity).series.bit_position.dot(across);
+        const double weight = 34.2277 * gravity / std::sqrt(5.0);
+        const double exact_sag = weight * std::pow(24, 4) / (8 * test::table_2_bending_stiffness) +
+                                 weight * 24 * 24 / (2 * test::table_2_shear_stiffness);
+        EXPECT_NEAR(sag, exact_sag, 2e-3 * exact_sag + 1e-11) << gravity;
+    }
+}
+
+TEST(WeightlessString, HangsFromAFarHeadAsFromTheOrigin) {
+    const Equilibrium near = free_pipe(Vector3d::Zero(), 9.81);
+    const Vector3d head(1e5, -1e5, 2e5);
+    const Equilibrium far = free_pipe(head, 9.81);
+    EXPECT_LT((far.series.bit_position - head - near.series.bit_position).norm(), 1e-6);
+    EXPECT_NEAR(far.hook_load, near.hook_load, 0.1);  // EA eps x / h = 0.05 N
+}
+
 // ------------------------------------------------------------------ runs from equilibrium
 
 TEST(EquilibriumStart, ShippedWellsStayAtRestForTenSecondsWithoutDrive) {

@@ -26,6 +26,7 @@ youngs_modulus = "200 GPa"
 poisson_ratio = 0.0
 )";
 inline constexpr double table_2_bending_stiffness = 1992118.251;  // N m2
+inline constexpr double table_2_shear_stiffness = 485049339.344;  // N: E A / 2
 
 inline std::string table_3_pipe(double length) {
     return fmt::format(R"(
