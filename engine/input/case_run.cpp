@@ -45,10 +45,12 @@ void check_rates(const Table& table, const EquilibriumCase& equilibrium) {
             value->fail(fmt::format("has no effect; expected it with motion = {}", motions));
     };
     if (motion == StringMotion::rest)
-        refuse("axial_speed", R"("rotating", "sliding", "tripping_in" or "tripping_out")");
+        refuse("axial_speed",
+               R"("rotating", "drilling", "sliding", "tripping_in" or "tripping_out")");
     if (motion == StringMotion::rest || motion == StringMotion::sliding)
-        refuse("rotation", R"("rotating", "tripping_in" or "tripping_out")");
-    if (motion == StringMotion::rotating && equilibrium.rotation == 0.0)
+        refuse("rotation", R"("rotating", "drilling", "tripping_in" or "tripping_out")");
+    const bool turns = motion == StringMotion::rotating || motion == StringMotion::drilling;
+    if (turns && equilibrium.rotation == 0.0)
         table.find("rotation")->fail("is 0; expected a rate, or another motion");
     const bool trips = motion == StringMotion::tripping_in || motion == StringMotion::tripping_out;
     if (trips && equilibrium.rotation && !equilibrium.axial_speed) {
@@ -74,6 +76,7 @@ EquilibriumCase read_equilibrium(const Table& root) {
     equilibrium.motion = table.choice<StringMotion>("motion", equilibrium.motion,
                                                     {{"rest", StringMotion::rest},
                                                      {"rotating", StringMotion::rotating},
+                                                     {"drilling", StringMotion::drilling},
                                                      {"tripping_in", StringMotion::tripping_in},
                                                      {"tripping_out", StringMotion::tripping_out},
                                                      {"sliding", StringMotion::sliding}});

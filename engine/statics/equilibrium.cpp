@@ -46,6 +46,7 @@ SteadyMotion steady_motion(StringMotion motion, double rotation_rate) {
         case StringMotion::rest:
             return {};
         case StringMotion::rotating:
+        case StringMotion::drilling:
             return {0, rotation_rate};
         case StringMotion::tripping_in:
         case StringMotion::sliding:
@@ -57,7 +58,8 @@ SteadyMotion steady_motion(StringMotion motion, double rotation_rate) {
 }
 
 bool bit_is_loaded(StringMotion motion) {
-    return motion != StringMotion::tripping_in && motion != StringMotion::tripping_out;
+    return motion == StringMotion::rest || motion == StringMotion::drilling ||
+           motion == StringMotion::sliding;
 }
 
 EquilibriumOptions equilibrium_options(const Case& input) {

@@ -32,10 +32,11 @@ StringMotion string_motion(TorqueDragMotion motion) {
         case TorqueDragMotion::sliding:
             return StringMotion::sliding;
         case TorqueDragMotion::rotating:
+            return StringMotion::rotating;
         case TorqueDragMotion::drilling:
             break;
     }
-    return StringMotion::rotating;
+    return StringMotion::drilling;
 }
 
 SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOptions& options) {
@@ -76,9 +77,7 @@ const Component& component_at(const StringCase& string, double s) {
 EquilibriumOptions tripping_options(const Case& at_depth, TorqueDragMotion motion) {
     Case moving = at_depth;
     moving.equilibrium = {.motion = string_motion(motion), .axial_speed = {}, .rotation = {}};
-    EquilibriumOptions options = equilibrium_options(moving);
-    options.bit_loads = motion == TorqueDragMotion::drilling || motion == TorqueDragMotion::sliding;
-    return options;
+    return equilibrium_options(moving);
 }
 
 SoftString soft_string(const Case& at_depth, const Scene& scene,

@@ -138,8 +138,9 @@ struct InitialCase {
     std::optional<double> penetration_limit;  ///< deepest in the wall (m); unset: the clearance
 };
 
-/// What a string does while its equilibrium is sought.
-enum class StringMotion { rest, rotating, tripping_in, tripping_out, sliding };
+/// What a string does while its equilibrium is sought: bit_is_loaded() says which of these are on
+/// bottom.
+enum class StringMotion { rest, rotating, drilling, tripping_in, tripping_out, sliding };
 
 struct EquilibriumCase {
     StringMotion motion = StringMotion::rest;
@@ -147,8 +148,8 @@ struct EquilibriumCase {
     std::optional<double> rotation;     ///< rad/s about d3; unset: as the motion says
 };
 
-/// What a string does in a study of torque and drag. The bit is on bottom, loaded, where it drills
-/// or slides; it slides where it moves down without rotation.
+/// What a string does in a study of torque and drag; each word means what it means as a
+/// StringMotion.
 enum class TorqueDragMotion { tripping_in, tripping_out, rotating, drilling, sliding };
 
 /// The word for a motion in case files, tables and datasets: tripping_in, tripping_out, rotating,

@@ -27,7 +27,9 @@ struct SteadyMotion {
 /// speed along the well of 1 m/s where it moves.
 SteadyMotion steady_motion(StringMotion motion, double rotation_rate);
 
-/// Whether the bit is loaded as the case says: off bottom, where the string is tripped, it is not.
+/// Whether the bit is on bottom, loaded as the case says: where the string drills, slides into the
+/// hole, or rests. Where it is tripped, or rotates without drilling, it is off bottom: nothing acts
+/// on the bit.
 bool bit_is_loaded(StringMotion motion);
 
 struct EquilibriumOptions {

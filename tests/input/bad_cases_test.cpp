@@ -320,9 +320,9 @@ TEST(BadCases, EquilibriumNeedsAHeldHeadTheLeapfrogAndRatesThatGoWithTheMotion) 
          "motion = \"free\"\n[initial]\nstate = \"equilibrium\"\n",
          R"(case.toml:33:9: initial.state needs a head that holds the string; expected head.motion = "driven")"},
         {"duration = 20\n", "duration = 20\n[equilibrium]\naxial_speed = 1\n",
-         R"(case.toml:40:15: equilibrium.axial_speed has no effect; expected it with motion = "rotating", "sliding", "tripping_in" or "tripping_out")"},
+         R"(case.toml:40:15: equilibrium.axial_speed has no effect; expected it with motion = "rotating", "drilling", "sliding", "tripping_in" or "tripping_out")"},
         {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"sliding\"\nrotation = 1\n",
-         R"(case.toml:41:12: equilibrium.rotation has no effect; expected it with motion = "rotating", "tripping_in" or "tripping_out")"},
+         R"(case.toml:41:12: equilibrium.rotation has no effect; expected it with motion = "rotating", "drilling", "tripping_in" or "tripping_out")"},
         {"duration = 20\n",
          "duration = 20\n[equilibrium]\nmotion = \"tripping_out\"\naxial_speed = 1\n",
          "case.toml:41:15: equilibrium.axial_speed does not go out of the hole; expected less than "
@@ -333,8 +333,10 @@ TEST(BadCases, EquilibriumNeedsAHeldHeadTheLeapfrogAndRatesThatGoWithTheMotion) 
          "equilibrium.axial_speed"},
         {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"rotating\"\nrotation = 0\n",
          "case.toml:41:12: equilibrium.rotation is 0; expected a rate, or another motion"},
-        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"drilling\"\n",
-         R"(case.toml:40:10: equilibrium.motion is "drilling"; expected "rest" or "rotating" or "tripping_in" or "tripping_out" or "sliding")"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"drilling\"\nrotation = 0\n",
+         "case.toml:41:12: equilibrium.rotation is 0; expected a rate, or another motion"},
+        {"duration = 20\n", "duration = 20\n[equilibrium]\nmotion = \"whirling\"\n",
+         R"(case.toml:40:10: equilibrium.motion is "whirling"; expected "rest" or "rotating" or "drilling" or "tripping_in" or "tripping_out" or "sliding")"},
     });
 }
 

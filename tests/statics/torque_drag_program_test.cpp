@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -128,6 +129,44 @@ TEST_F(TorqueDragProgram, DepthWithoutEquilibriumIsADashAndAWarning) {
                           "string at 1 of 2 depths"));
     EXPECT_THAT(ending.text, testing::ContainsRegex("\n +250\\.00 .* - "));
     EXPECT_THAT(ending.text, testing::Not(HasSubstr("nan")));
+}
+
+/// What drillstrand equilibrium prints behind a name, if it is a number.
+double printed(const std::string& text, const std::string& name) {
+    const std::size_t place = text.find("\n  " + name + ' ');
+    return place == std::string::npos ? std::nan("") : std::stod(text.substr(place + 15));
+}
+
+TEST_F(TorqueDragProgram, WordsForMotionsMeanTheSameAsInEquilibriumOnAndOffBottom) {
+    ASSERT_EQ(run("case.toml -o out.h5 --set 'torque_drag.depths=[800]' --set bit.torque=2000 "
+                  "--set 'torque_drag.motions=[\"rotating\", \"drilling\", \"sliding\", "
+                  "\"tripping_in\", \"tripping_out\"]'")
+                  .code,
+              0);
+    for (const TorqueDragCurve& curve : read_torque_drag(path("out.h5")).study.curves) {
+        const std::string word = motion_name(curve.motion);
+        const Ending found = call(
+            "equilibrium case.toml --set bit.torque=2000 --set "
+            "equilibrium.motion='\"" +
+            word + "\"'");
+        EXPECT_NEAR(printed(found.text, "hook load"), curve.hook_load.at(0) / 1e3, 1e-5) << word;
+        EXPECT_NEAR(printed(found.text, "head torque"), curve.surface_torque.at(0) / 1e3, 1e-5)
+            << word;
+        const bool loaded =
+            curve.motion == TorqueDragMotion::drilling || curve.motion == TorqueDragMotion::sliding;
+        EXPECT_THAT(found.text, HasSubstr(loaded ? ", on bottom, 20 kN" : ", off bottom")) << word;
+        EXPECT_THAT(found.text, HasSubstr(loaded ? "" : "(0, 0, 0) kN, (0, 0, 0) kN m")) << word;
+    }
+}
+
+TEST_F(TorqueDragProgram, EquilibriumAtRestSaysWhetherTheBitIsOnBottom) {
+    EXPECT_THAT(call("equilibrium case.toml").text,
+                HasSubstr("at rest, without friction, on bottom, 20 kN\n"));
+    EXPECT_THAT(call("equilibrium case.toml --set bit.weight=0").text,
+                HasSubstr("at rest, without friction, off bottom\n"));
+    EXPECT_THAT(run("case.toml").text,
+                AllOf(HasSubstr("rotating off bottom"),
+                      HasSubstr("on bottom, 20 kN, where it drills or slides; else off bottom")));
 }
 
 TEST_F(TorqueDragProgram, TakesOverrides) {

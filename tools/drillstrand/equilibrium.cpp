@@ -27,22 +27,33 @@ void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... p
     fmt::print("  {:<12} {}\n", name, fmt::format(text, std::forward<Parts>(parts)...));
 }
 
-std::string motion_text(const Case& input, const SteadyMotion& motion) {
-    const auto word = [&] {
-        switch (input.equilibrium.motion) {
-            case StringMotion::rotating:
-                return "rotating";
-            case StringMotion::tripping_in:
-                return "tripping in, off bottom";
-            case StringMotion::tripping_out:
-                return "tripping out, off bottom";
-            case StringMotion::sliding:
-                return "sliding";
-            default:
-                return "at rest, without friction";
-        }
-    }();
-    std::string text = word;
+std::string_view motion_word(StringMotion motion) {
+    switch (motion) {
+        case StringMotion::rotating:
+            return "rotating";
+        case StringMotion::drilling:
+            return "drilling";
+        case StringMotion::tripping_in:
+            return "tripping in";
+        case StringMotion::tripping_out:
+            return "tripping out";
+        case StringMotion::sliding:
+            return "sliding";
+        case StringMotion::rest:
+            break;
+    }
+    return "at rest, without friction";
+}
+
+/// Where the bit is, with which weight.
+std::string bottom_text(StringMotion motion, double weight_on_bit) {
+    const bool rests_off = motion == StringMotion::rest && weight_on_bit == 0;
+    if (!bit_is_loaded(motion) || rests_off) return "off bottom";
+    return fmt::format("on bottom, {:.6g} kN", weight_on_bit / 1e3);
+}
+
+std::string motion_text(StringMotion word, const SteadyMotion& motion, double weight_on_bit) {
+    std::string text = fmt::format("{}, {}", motion_word(word), bottom_text(word, weight_on_bit));
     // alone, a speed along the well has a direction but no size that matters
     if (motion.rotation_rate != 0)
         text += fmt::format(", {:.4g} rpm", motion.rotation_rate * 30 / std::numbers::pi);
@@ -87,7 +98,7 @@ void print_contact(const Scene& scene, const Equilibrium& found) {
 void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium& found,
                        const SteadyMotion& motion, double seconds) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
-    line("motion", "{}", motion_text(input, motion));
+    line("motion", "{}", motion_text(input.equilibrium.motion, motion, found.series.weight_on_bit));
     line("hook load", "{:.9g} kN", kilo(found.hook_load));
     line("head torque", "{:.6g} kN m", kilo(found.surface_torque));
     line("head stress", "{:.9g} kN axial, {:.6g} kN m twist, in the first segment",

@@ -27,6 +27,7 @@ void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... p
 
 /// The word for a motion as people write it.
 std::string motion_words(TorqueDragMotion motion) {
+    if (motion == TorqueDragMotion::rotating) return "rotating off bottom";
     std::string words = motion_name(motion);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
@@ -51,7 +52,7 @@ void print_case(const Case& input, const TorqueDrag& study) {
     const FrictionCoefficients friction =
         input.torque_drag.friction.value_or(input.contact.dynamic_friction);
     line("friction", "{:.4g} along the well, {:.4g} around it", friction.axial, friction.azimuthal);
-    line("bit", "{:.6g} kN of weight where it drills or slides",
+    line("bit", "on bottom, {:.6g} kN, where it drills or slides; else off bottom",
          input.bit.weight.values().back() / 1e3);
     fmt::print("\n");
 }
@@ -155,15 +156,15 @@ void print_last_depth(const TorqueDrag& study) {
         "  with the bit at {:.2f} m: where tension ends, going down; the largest values and "
         "their measured depths; compression past its limits\n",
         study.bit_depth.back());
-    fmt::print("  {:<13}  {:>11}  {:>19}  {:>19}  {:>19}  {}\n", "", "neutral", "side force",
+    fmt::print("  {:<19}  {:>11}  {:>19}  {:>19}  {:>19}  {}\n", "", "neutral", "side force",
                "bending stress", "von Mises stress", "");
-    fmt::print("  {:<13}  {:>11}", "", "point (m)");
+    fmt::print("  {:<19}  {:>11}", "", "point (m)");
     for (const std::string_view unit : {"(kN/m)", "(MPa)", "(MPa)"})
         fmt::print("  {:>9} {:>9}", unit, "at (m)");
     fmt::print("  {}\n", "buckling");
     for (const TorqueDragCurve& curve : study.curves) {
         const TorqueDragProfile& profile = curve.profile;
-        fmt::print("  {:<13}  {:>11}", motion_words(curve.motion),
+        fmt::print("  {:<19}  {:>11}", motion_words(curve.motion),
                    number(curve.neutral_point.back(), 1, 2));
         fmt::print("  {}", largest_text(profile.side_force, study.measured_depth, 1e3, 3));
         fmt::print("  {}", largest_text(profile.bending_stress, study.measured_depth, 1e6, 1));
