@@ -74,6 +74,29 @@ TEST_F(Program, CheckPrintsTheSceneAndWritesNothing) {
     EXPECT_THAT(files(), ElementsAre("pipe.toml"));
 }
 
+TEST_F(Program, CheckPrintsEveryDamping) {
+    EXPECT_THAT(run({"check", "pipe.toml"}).out, Not(HasSubstr("Kelvin-Voigt")));
+    const Ending ending = run({"check", "pipe.toml", "--set", "damping.kelvin_voigt=1.25e-3",
+                               "--set", "damping.internal=0.5"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("Kelvin-Voigt damping, 0.00125 s times"),
+                                  HasSubstr("internal 0.5 N s/m")));
+}
+
+TEST_F(Program, CheckAdvisesAStartAtRestWhereAStringWouldFallInItsWell) {
+    const std::string well = DRILLSTRAND_SOURCE_DIR "/cases/well1.toml";
+    const std::string advice = "Advice: the string starts on the axis of the well and falls";
+    const auto check = [&](const std::string& override) {
+        return run({"check", well, "--set", override}).out;
+    };
+    EXPECT_THAT(check("run.duration=1"),
+                AllOf(HasSubstr(advice), HasSubstr("initial.state = \"equilibrium\"")));
+    EXPECT_THAT(check("initial.state=\"equilibrium\""), Not(HasSubstr(advice)));
+    EXPECT_THAT(check("gravity=0"), Not(HasSubstr(advice)));
+    EXPECT_THAT(check("run.integrator=\"dormand-prince\""), Not(HasSubstr(advice)));
+    EXPECT_THAT(run({"check", "pipe.toml"}).out, Not(HasSubstr(advice)));
+}
+
 TEST_F(Program, InfoTellsHowAResultWasMade) {
     ASSERT_EQ(run({"run", "pipe.toml"}).code, 0);
     const Ending ending = run({"info", "pipe.h5"});

@@ -217,6 +217,9 @@ void print_loads(const Scene& scene) {
     if (scene.features.damping)
         line("damping", fmt::format("internal {:.3g} N s/m, external {:.3g}",
                                     scene.damping.internal, scene.damping.external));
+    if (scene.damping.kelvin_voigt > 0)
+        line("material", fmt::format("Kelvin-Voigt damping, {:.4g} s times the rate of strain",
+                                     scene.damping.kelvin_voigt));
 }
 
 void print_mesh(const Scene& scene) {
@@ -310,6 +313,22 @@ void warn_of_paper_friction(const Scene& scene) {
         "energy without bound; it is for comparison only, \"coulomb\" has no such fault");
 }
 
+/// Whether the string starts on the axis of a well and could start at rest instead.
+bool falls_at_the_start(const Case& input, const Scene& scene) {
+    const bool is_heavy = std::any_of(scene.weight.begin(), scene.weight.end(),
+                                      [](double weight) { return weight != 0; });
+    return scene.features.well && is_heavy && input.initial.state == InitialState::coaxial &&
+           input.head.motion == HeadMotion::driven &&
+           input.run.integrator == IntegratorKind::leapfrog;
+}
+
+void advise_equilibrium(const Case& input, const Scene& scene) {
+    if (falls_at_the_start(input, scene))
+        fmt::print(
+            "Advice: the string starts on the axis of the well and falls under its weight at the "
+            "start; initial.state = \"equilibrium\" starts it at rest\n");
+}
+
 }  // namespace
 
 int check(const CheckOptions& options) {
@@ -326,6 +345,7 @@ int check(const CheckOptions& options) {
     warn_of_coarse_mesh(scene);
     warn_of_cut_corners(input, scene);
     warn_of_paper_friction(scene);
+    advise_equilibrium(input, scene);
     return done;
 }
 
