@@ -89,16 +89,21 @@ class Runs:
         ending = self.run(wish)
         lines = ending.stderr.splitlines()
         extra = {path.name for path in self.folder.iterdir()} - {"case.toml", "case.h5"}
-        if extra:
-            for name in extra:
-                (self.folder / name).unlink()
-            return f"WRONG: left {sorted(extra)}"
+        for name in extra:
+            (self.folder / name).unlink()
+        # HDF5's library (1.10.8) does not look at all that it allocates: failing_calls.cpp makes sure
+        # that it is the one that crashed. What was recorded must be there all the same.
+        in_hdf5 = self.calls == "memory" and ending.returncode == 77
+        if in_hdf5 and not (self.folder / "case.h5").exists():
+            return "a crash within HDF5's library, no file"
+        if extra and not in_hdf5:
+            return f"WRONG: exit code {ending.returncode}, left {sorted(extra)}"
         # the OpenMP library ends a process in its own way
         spoken = [line for line in lines if line.startswith("drillstrand: error: ")]
         of_openmp = [line for line in lines if "libgomp: Out of memory" in line]
         if ending.returncode == 1 and not (len(lines) == 1 and (spoken or of_openmp)):
             return f"WRONG: said {lines}"
-        if ending.returncode not in [0, 1]:
+        if ending.returncode not in [0, 1] and not in_hdf5:
             return f"WRONG: exit code {ending.returncode}, said {lines}"
         if not (self.folder / "case.h5").exists():
             return f"exit code {ending.returncode}, no file" if ending.returncode else "WRONG: no file"
@@ -113,6 +118,8 @@ class Runs:
             if values.tobytes() != whole.tobytes():
                 return f"WRONG: other values in {name}"
         times = len(found["series/time"])
+        if in_hdf5:
+            return f"a crash within HDF5's library, file {'with' if times else 'without'} records"
         if ending.returncode == 0:
             if times == len(self.whole["series/time"]) and status == "complete":
                 return "exit code 0, whole"

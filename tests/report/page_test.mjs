@@ -177,9 +177,19 @@ test("sliders, lists and the play button change what is shown", async () => {
       slider.value = to;
       slider.dispatchEvent(new Event("input"));
     }, value);
-    const drawing = () => page.locator("#plot-view").evaluate((canvas) => canvas.toDataURL());
+    // pictures above that are drawn meanwhile move it out of sight, where it is not drawn
+    const drawn = () => page.waitForFunction(() => {
+      const canvas = document.querySelector("#plot-view");
+      if (canvas.dataset.stale === "true") canvas.scrollIntoView();
+      return canvas.dataset.stale === "false";
+    });
+    const drawing = async () => {
+      await drawn();
+      return page.locator("#plot-view").evaluate((canvas) => canvas.toDataURL());
+    };
     await showSection(page, "view");
     await setSlider("#view .time-slider", frame);
+    await drawn();
     assert.equal(await page.locator("#plot-view").getAttribute("data-frame"), String(frame));
     assert.equal(await page.locator("#view .time-text").textContent(), `${Number(well["profiles/time"][frame].toPrecision(6))} s`);
     let before = await drawing();
