@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string_view>
+
 #include "printable.hpp"
 
 // Files that the build puts into the program, each with a zero at its end (report_assets.cpp.in).
