@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr hsize_t most_inflation = 1032;
 /// All values together: a sound file holds two to five times its size, and some forty times where a
 /// string lies at rest in every profile.
-constexpr hsize_t small_file_bytes = hsize_t{1} << 27;
+constexpr hsize_t small_file_bytes = hsize_t{1} << 24;
 constexpr hsize_t most_bytes_per_byte = 64;
 /// A chunk is taken into memory as a whole, however little of it is read.
 constexpr hsize_t small_chunk_bytes = hsize_t{1} << 20;

@@ -45,6 +45,8 @@ class Ending:
 
     def __init__(self, program, folder, command, path):
         words = ["export" if command in ["csv", "vtk"] else command, path, *COMMANDS[command]]
+        if command != "info":
+            words.append("--overwrite")
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             process = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.DEVNULL,
                                        stdout=out, stderr=err)
