@@ -94,9 +94,11 @@ DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
 
 // ------------------------------------------------------------------ named rows, from an entry on
 
-/// The nodes of the rod as they are read.
-struct NodesIn {
-    NodesIn(const Table<DirectorRow>& rod, std::ptrdiff_t first)
+/// The nodes of the rod: `Vectors` and `Numbers` to write or to read.
+template <class Vectors, class Numbers>
+struct NodeRows {
+    template <class Rod>
+    NodeRows(Rod& rod, std::ptrdiff_t first)
         : x(rod.triples(DirectorRow::position, first)),
           v(rod.triples(DirectorRow::velocity, first)),
           t(rod.triples(DirectorRow::director, first)),
@@ -105,24 +107,11 @@ struct NodesIn {
           d1(rod.triples(DirectorRow::material, first)),
           s(rod.row(DirectorRow::spin) + first),
           last_twist(rod.row(DirectorRow::last_twist) + first) {}
-    ConstTriples x, v, t, w, last_t, d1;
-    const double *s, *last_twist;
+    Vectors x, v, t, w, last_t, d1;
+    Numbers s, last_twist;
 };
-
-/// The nodes of the next step as they are written.
-struct NodesOut {
-    NodesOut(Table<DirectorRow>& rod, std::ptrdiff_t first)
-        : x(rod.triples(DirectorRow::position, first)),
-          v(rod.triples(DirectorRow::velocity, first)),
-          t(rod.triples(DirectorRow::director, first)),
-          w(rod.triples(DirectorRow::angular_velocity, first)),
-          last_t(rod.triples(DirectorRow::last_director, first)),
-          d1(rod.triples(DirectorRow::material, first)),
-          s(rod.row(DirectorRow::spin) + first),
-          last_twist(rod.row(DirectorRow::last_twist) + first) {}
-    Triples x, v, t, w, last_t, d1;
-    double *s, *last_twist;
-};
+using NodesIn = NodeRows<ConstTriples, const double*>;
+using NodesOut = NodeRows<Triples, double*>;
 
 /// What segments hand to nodes: `Vectors` and `Numbers` to write or to read.
 template <class Vectors, class Numbers>

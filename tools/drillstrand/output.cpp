@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "commands.hpp"
-#include "drillstrand/buckling_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
 
@@ -97,12 +96,6 @@ bool is_own_file(const fs::path& path) {
            std::any_of(table_starts.begin(), table_starts.end(),
                        [&](std::string_view table) { return start.starts_with(table); }) ||
            is_torque_drag_table(start);
-}
-
-std::optional<std::string_view> other_contents(const std::filesystem::path& result) {
-    if (holds_buckling(result)) return "buckling modes";
-    if (holds_torque_drag(result)) return "torque and drag";
-    return std::nullopt;
 }
 
 }  // namespace drillstrand::program

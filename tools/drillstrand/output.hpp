@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,9 +42,5 @@ void require_different(std::string_view option, const std::filesystem::path& out
 /// Whether drillstrand wrote a file: results by their attributes, pages and files for ParaView by
 /// the mark at their start, tables by the names of their first columns.
 bool is_own_file(const std::filesystem::path& path);
-
-/// What a result file of another command than run and equilibrium holds, in words; none for theirs.
-/// Throws ResultError where there is no result file.
-std::optional<std::string_view> other_contents(const std::filesystem::path& result);
 
 }  // namespace drillstrand::program
