@@ -305,6 +305,19 @@ TEST_F(Program, InfoOnSomethingElseIsOneLine) {
     EXPECT_THAT(ending.err, is_one_error("No such file"));
 }
 
+TEST_F(Program, AnErrorShowsControlCharactersAndDoesNotSendThem) {
+    const std::string name = "\x1b]0;owned\x07";
+    write(name + ".h5", "no result");
+    const std::vector<std::vector<std::string>> commands = {
+        {"info", name + ".h5"}, {"info", name + ".none"}, {"report", name + ".none"}, {name}};
+    for (const std::vector<std::string>& command : commands) {
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 2) << command.front();
+        EXPECT_THAT(ending.err, is_one_error("\\x1b]0;owned\\x07"));
+        EXPECT_THAT(ending.err, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07"))));
+    }
+}
+
 class Interrupted : public Program, public testing::WithParamInterface<int> {};
 
 TEST_P(Interrupted, ARunEndsInOrder) {

@@ -1,6 +1,7 @@
 /// Runs that were stopped, and taken up again by their checkpoint.
 #include <csignal>
 
+#include "drillstrand/checkpoint.hpp"
 #include "drillstrand/isa.hpp"
 #include "program/program.hpp"
 
@@ -69,6 +70,14 @@ TEST_F(Restarted, ADamagedCheckpointIsRefused) {
     const std::string whole = text_of(desk() / "pipe.checkpoint.h5");
     write("pipe.checkpoint.h5", whole.substr(0, whole.size() / 2));
     expect_refused({}, "pipe.checkpoint.h5");
+}
+
+TEST_F(Restarted, WhatACheckpointSaysIsShownAndNotObeyed) {
+    stop_a_run();
+    Checkpoint checkpoint = read_checkpoint(desk() / "pipe.checkpoint.h5");
+    checkpoint.header.integrator = "\x1b[2Jowned";
+    write_checkpoint(desk() / "pipe.checkpoint.h5", checkpoint);
+    expect_refused({}, "another integrator: \\x1b[2Jowned, not");
 }
 
 TEST_F(Restarted, AResultWithFewerRecordsThanTheCheckpointIsRefused) {

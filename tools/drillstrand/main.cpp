@@ -19,6 +19,7 @@
 #include "drillstrand/error.hpp"
 #include "drillstrand/version.hpp"
 #include "messages.hpp"
+#include "printable.hpp"
 
 namespace drillstrand::program {
 
@@ -27,9 +28,10 @@ namespace {
 /// Commands of the interface that later versions bring.
 constexpr std::array<std::string_view, 1> later_commands = {"study"};
 
+/// One line, whatever the message quotes: names of files and what strangers wrote into them.
 int fail(ExitCode code, std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    say("drillstrand: error: {}\n", message);
+    say("drillstrand: error: {}\n", printable(message));
     return code;
 }
 
