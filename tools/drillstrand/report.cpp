@@ -21,6 +21,7 @@
 #include "report_series.hpp"
 #include "report_string.hpp"
 #include "report_summary.hpp"
+#include "report_units.hpp"
 #include "signals.hpp"
 
 namespace drillstrand::program {
@@ -90,6 +91,7 @@ std::string metadata_of(const ReportOptions& options, const Result& result, bool
                         {"tiles", tiles_json(result)},
                         {"facts", facts_json(result)},
                         {"case_text", json_text(result.header.case_text)},
+                        {"units", units_json()},
                         {"well", boolean(result.header.well.has_value())},
                         {"has_time_error", boolean(result.footer.statistics.time_error > 0)},
                         {"dense_start", json_number(uniform.start)},

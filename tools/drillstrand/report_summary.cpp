@@ -12,6 +12,7 @@
 #include "report_data.hpp"
 #include "report_series.hpp"
 #include "report_string.hpp"
+#include "report_units.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -19,29 +20,7 @@ namespace drillstrand::program {
 namespace {
 
 constexpr double large_energy_residual = 0.01;
-const double degree = unit_factor("deg", dimension::angle);                     // rad
-const double revolution_per_minute = unit_factor("rpm", dimension::frequency);  // rad/s
-
-/// A unit of SI and one of the field, as factors to SI.
-struct Units {
-    Units(const char* si_unit, const char* field_unit, const Dimension& dimension)
-        : si_name(si_unit),
-          si(unit_factor(si_unit, dimension)),
-          field_name(field_unit),
-          field(unit_factor(field_unit, dimension)) {}
-
-    const char* si_name;
-    double si;
-    const char* field_name;
-    double field;
-};
-
-const Units force{"kN", "klbf", dimension::force};
-const Units moment{"kN m", "kft lbf", dimension::moment};
-const Units length{"m", "ft", dimension::length};
-const Units diameter{"mm", "in", dimension::length};
-const Units side_force{"kN/m", "lbf/ft", {1, 0, -2}};
-const Units mass{"t", "klb", {1, 0, 0}};
+const double degree = unit_factor("deg", dimension::angle);  // rad
 
 /// A number in words, in SI and in the field's units.
 struct Item {
@@ -53,13 +32,13 @@ struct Item {
 
 using Items = std::vector<Item>;
 
-Item quantity(const char* id, const char* label, double value, const Units& units,
+Item quantity(const char* id, const char* label, double value, const UnitPair& units,
               const std::string& addition = "") {
     return {id, label, fmt::format("{:.4g} {}{}", value / units.si, units.si_name, addition),
             fmt::format("{:.4g} {}{}", value / units.field, units.field_name, addition)};
 }
 
-Item range(const char* id, const char* label, double least, double most, const Units& units) {
+Item range(const char* id, const char* label, double least, double most, const UnitPair& units) {
     if (most - least <= 1e-9 * std::abs(most)) return quantity(id, label, most, units);
     return {id, label,
             fmt::format("{:.4g} to {:.4g} {}", least / units.si, most / units.si, units.si_name),
@@ -107,22 +86,23 @@ Peak peak_of_yield(const Result& result) {
                    });
 }
 
-std::string place_text(const Peak& peak, const Units& units, bool field) {
+std::string place_text(const Peak& peak, const UnitPair& units, bool field) {
     return fmt::format(" at {:.4g} {}, {:.4g} s", peak.s / (field ? units.field : units.si),
                        field ? units.field_name : units.si_name, peak.time);
 }
 
-Item peak_item(const char* id, const char* label, const Peak& peak, const Units& units) {
+Item peak_item(const char* id, const char* label, const Peak& peak, const UnitPair& units) {
     Item item = quantity(id, label, peak.value, units);
-    item.si += place_text(peak, length, false);
-    item.field += place_text(peak, length, true);
+    item.si += place_text(peak, page_unit::length, false);
+    item.field += place_text(peak, page_unit::length, true);
     return item;
 }
 
 Item yield_item(const Peak& peak) {
     const std::string text = fmt::format("{:.3g} % of yield", 100 * peak.value);
-    return {"mises", "Von Mises stress, greatest", text + place_text(peak, length, false),
-            text + place_text(peak, length, true)};
+    return {"mises", "Von Mises stress, greatest",
+            text + place_text(peak, page_unit::length, false),
+            text + place_text(peak, page_unit::length, true)};
 }
 
 double simulated_seconds(const Result& result) {
@@ -142,15 +122,16 @@ Items run_items(const Result& result) {
     items.push_back(
         plain("steps", "Steps", fmt::format("{} ({} rejected)", steps.steps, steps.rejected)));
     if (steps.largest_step > 0)
-        items.push_back(plain("step", "Step",
-                              fmt::format("{:.3g} to {:.3g} ms", 1e3 * steps.smallest_step,
-                                          1e3 * steps.largest_step)));
+        items.push_back(
+            plain("step", "Step",
+                  fmt::format("{:.3g} to {:.3g} ms", steps.smallest_step / page_unit::step.si,
+                              steps.largest_step / page_unit::step.si)));
     if (steps.time_error > 0)
         items.push_back(plain("time-error", "Time error of 16 steps, greatest",
                               fmt::format("{:.2g} %", 100 * steps.time_error)));
     if (result.header.well)
-        items.push_back(
-            quantity("penetration", "In the wall, greatest", footer.largest_penetration, diameter));
+        items.push_back(quantity("penetration", "In the wall, greatest", footer.largest_penetration,
+                                 page_unit::small_length));
     items.push_back(plain("residual", "Energy residual",
                           fmt::format("{:.2g} %", 100 * footer.energy_residual)));
     items.push_back(
@@ -172,16 +153,18 @@ double total_of(const std::vector<double>& per_length, const std::vector<double>
 }
 
 Items string_items(const ResultHeader& header) {
-    Items items = {quantity("length", "Length", header.node_s.back(), length),
+    Items items = {quantity("length", "Length", header.node_s.back(), page_unit::length),
                    plain("segments", "Segments", fmt::format("{}", header.segment_s.size()))};
     if (header.mass.empty()) return items;
     const auto [least, most] =
         std::minmax_element(header.outer_radius.begin(), header.outer_radius.end());
-    items.push_back(quantity("mass", "Mass", total_of(header.mass, header.node_s), mass));
     items.push_back(
-        quantity("weight", "Weight in the fluid", total_of(header.weight, header.node_s), force));
+        quantity("mass", "Mass", total_of(header.mass, header.node_s), page_unit::mass));
+    items.push_back(quantity("weight", "Weight in the fluid",
+                             total_of(header.weight, header.node_s), page_unit::force));
     if (*most > 0)
-        items.push_back(range("outer-diameter", "Outer diameter", 2 * *least, 2 * *most, diameter));
+        items.push_back(range("outer-diameter", "Outer diameter", 2 * *least, 2 * *most,
+                              page_unit::small_length));
     return items;
 }
 
@@ -189,11 +172,11 @@ Items string_items(const ResultHeader& header) {
 Items component_items(const ResultHeader& header) {
     Items items;
     for (std::size_t k = 0; k < header.component_name.size(); ++k)
-        items.push_back(range(fmt::format("component-{}", k).c_str(),
-                              header.component_name[k].empty()
-                                  ? fmt::format("component {}", k + 1).c_str()
-                                  : header.component_name[k].c_str(),
-                              header.component_start[k], header.component_end[k], length));
+        items.push_back(
+            range(fmt::format("component-{}", k).c_str(),
+                  header.component_name[k].empty() ? fmt::format("component {}", k + 1).c_str()
+                                                   : header.component_name[k].c_str(),
+                  header.component_start[k], header.component_end[k], page_unit::length));
     return items;
 }
 
@@ -209,20 +192,21 @@ Items well_items(const WellCase& well) {
         [](const WellSectionCase& a, const WellSectionCase& b) { return a.diameter < b.diameter; });
     return {
         range("measured-depth", "Measured depth of the survey", well.survey.front().measured_depth,
-              well.survey.back().measured_depth, length),
+              well.survey.back().measured_depth, page_unit::length),
         quantity("vertical-depth", "Vertical depth of its end below its start",
-                 station_positions(well.survey).back().z(), length),
+                 station_positions(well.survey).back().z(), page_unit::length),
         plain("inclination", "Greatest inclination", fmt::format("{:.4g}°", steepest / degree)),
         {"dogleg", "Greatest dogleg severity",
          fmt::format("{:.3g}° per 30 m", sharpest / unit_factor("deg/30m", dimension::curvature)),
          fmt::format("{:.3g}° per 100 ft",
                      sharpest / unit_factor("deg/100ft", dimension::curvature))},
-        range("hole", "Diameter of the hole", least->diameter, most->diameter, diameter)};
+        range("hole", "Diameter of the hole", least->diameter, most->diameter,
+              page_unit::small_length)};
 }
 
 /// Range of a series in words.
 Item series_range(const char* id, const char* label, const std::vector<SeriesRecord>& series,
-                  const Units& units, double SeriesRecord::*value) {
+                  const UnitPair& units, double SeriesRecord::*value) {
     double least = series.front().*value;
     double most = least;
     for (const SeriesRecord& record : series) {
@@ -237,18 +221,19 @@ Item series_range(const char* id, const char* label, const std::vector<SeriesRec
 }
 
 Items load_items(const Result& result) {
-    Items items = {series_range("hook-load-range", "Hook load", result.series, force,
+    Items items = {series_range("hook-load-range", "Hook load", result.series, page_unit::force,
                                 &SeriesRecord::hook_load),
-                   series_range("torque-range", "Surface torque", result.series, moment,
+                   series_range("torque-range", "Surface torque", result.series, page_unit::moment,
                                 &SeriesRecord::surface_torque),
-                   series_range("weight-on-bit-range", "Weight on bit", result.series, force,
-                                &SeriesRecord::weight_on_bit)};
+                   series_range("weight-on-bit-range", "Weight on bit", result.series,
+                                page_unit::force, &SeriesRecord::weight_on_bit)};
     if (const Peak peak = peak_of_yield(result); peak.value > 0) items.push_back(yield_item(peak));
     const Peak side =
         peak_of(result.profiles, result.header.node_s,
                 [](const Profile& profile, std::size_t k) { return profile.side_force[k]; });
     if (side.value > 0)
-        items.push_back(peak_item("side-force", "Side force, greatest", side, side_force));
+        items.push_back(
+            peak_item("side-force", "Side force, greatest", side, page_unit::side_force));
     return items;
 }
 
@@ -270,13 +255,13 @@ std::string tiles_json(const Result& result) {
     const SeriesRecord& last = result.series.back();
     Items items = {
         plain("end-time", "Last record", fmt::format("{:.6g} s", last.time)),
-        quantity("hook-load", "Hook load", last.hook_load, force),
-        quantity("torque", "Surface torque", last.surface_torque, moment),
-        quantity("weight-on-bit", "Weight on bit", last.weight_on_bit, force),
+        quantity("hook-load", "Hook load", last.hook_load, page_unit::force),
+        quantity("torque", "Surface torque", last.surface_torque, page_unit::moment),
+        quantity("weight-on-bit", "Weight on bit", last.weight_on_bit, page_unit::force),
         plain("top-rotation", "Rotation of the top",
-              fmt::format("{:.4g} rpm", last.head_rotation_rate / revolution_per_minute)),
+              fmt::format("{:.4g} rpm", last.head_rotation_rate / page_unit::rotation.si)),
         plain("bit-rotation", "Rotation of the bit",
-              fmt::format("{:.4g} rpm", last.bit_rotation_rate / revolution_per_minute))};
+              fmt::format("{:.4g} rpm", last.bit_rotation_rate / page_unit::rotation.si))};
     if (const Peak peak = peak_of_yield(result); peak.value > 0)
         items.push_back(plain("greatest-mises", "Von Mises, greatest",
                               fmt::format("{:.3g} % of yield", 100 * peak.value)));

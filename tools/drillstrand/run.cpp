@@ -167,7 +167,8 @@ std::string wall_text(const Scene& scene, const RunSummary& summary) {
     if (!scene.well) return "";
     if (summary.largest_penetration() == 0) return "; the wall was not touched";
     return fmt::format("; at most {:.3g} mm in the wall, {:.2g} of the clearance",
-                       1e3 * summary.largest_penetration(), summary.largest_relative_penetration());
+                       summary.largest_penetration() / millimetre,
+                       summary.largest_relative_penetration());
 }
 
 void print_summary(const Recorder& recorder, const Scene& scene, const Integrator& integrator,

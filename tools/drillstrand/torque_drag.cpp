@@ -15,6 +15,7 @@
 #include "drillstrand/torque_drag_file.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "wording.hpp"
 
 namespace drillstrand::program {
 
@@ -53,7 +54,7 @@ void print_case(const Case& input, const TorqueDrag& study) {
         input.torque_drag.friction.value_or(input.contact.dynamic_friction);
     line("friction", "{:.4g} along the well, {:.4g} around it", friction.axial, friction.azimuthal);
     line("bit", "on bottom, {:.6g} kN, where it drills or slides; else off bottom",
-         input.bit.weight.values().back() / 1e3);
+         input.bit.weight.values().back() / kilonewton);
     fmt::print("\n");
 }
 
@@ -68,15 +69,20 @@ struct Quantity {
     std::vector<double> TorqueDragCurve::*soft;
 };
 
-constexpr Quantity hook_load{
-    "hook load", "kN", 1e3, 2, true, &TorqueDragCurve::hook_load, &TorqueDragCurve::soft_hook_load};
-constexpr Quantity surface_torque{"surface torque",
-                                  "kN m",
-                                  1e3,
-                                  3,
-                                  false,
-                                  &TorqueDragCurve::surface_torque,
-                                  &TorqueDragCurve::soft_surface_torque};
+const Quantity hook_load{"hook load",
+                         "kN",
+                         kilonewton,
+                         2,
+                         true,
+                         &TorqueDragCurve::hook_load,
+                         &TorqueDragCurve::soft_hook_load};
+const Quantity surface_torque{"surface torque",
+                              "kN m",
+                              kilonewton_metre,
+                              3,
+                              false,
+                              &TorqueDragCurve::surface_torque,
+                              &TorqueDragCurve::soft_surface_torque};
 
 void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurve*>& curves,
                  const Quantity& quantity) {
@@ -166,9 +172,12 @@ void print_last_depth(const TorqueDrag& study) {
         const TorqueDragProfile& profile = curve.profile;
         fmt::print("  {:<19}  {:>11}", motion_words(curve.motion),
                    number(curve.neutral_point.back(), 1, 2));
-        fmt::print("  {}", largest_text(profile.side_force, study.measured_depth, 1e3, 3));
-        fmt::print("  {}", largest_text(profile.bending_stress, study.measured_depth, 1e6, 1));
-        fmt::print("  {}", largest_text(profile.von_mises_stress, study.measured_depth, 1e6, 1));
+        fmt::print("  {}",
+                   largest_text(profile.side_force, study.measured_depth, kilonewton_per_metre, 3));
+        fmt::print("  {}",
+                   largest_text(profile.bending_stress, study.measured_depth, megapascal, 1));
+        fmt::print("  {}",
+                   largest_text(profile.von_mises_stress, study.measured_depth, megapascal, 1));
         fmt::print("  {}\n", buckling_text(study, profile));
     }
 }

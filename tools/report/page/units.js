@@ -1,23 +1,18 @@
-// Quantities in SI and in the field's units; all data are in SI.
+// Quantities in SI and in the field's units; all data are in SI. Names and factors come from the
+// engine's table of units (report_units.hpp); here is what has no unit there.
+
+const inBoth = (name, factor) => ({ si: [name, factor], field: [name, factor] });
 
 const quantities = {
-  time: { si: ["s", 1], field: ["s", 1] },
-  force: { si: ["kN", 1e-3], field: ["klbf", 1 / 4448.2216152605] },
-  moment: { si: ["kN m", 1e-3], field: ["kft lbf", 1 / 1355.8179483314] },
-  length: { si: ["m", 1], field: ["ft", 1 / 0.3048] },
-  small: { si: ["mm", 1e3], field: ["in", 1 / 0.0254] },
-  rotation: { si: ["rpm", 30 / Math.PI], field: ["rpm", 30 / Math.PI] },
-  sideForce: { si: ["kN/m", 1e-3], field: ["lbf/ft", 1 / 14.593902937206] },
-  stress: { si: ["MPa", 1e-6], field: ["ksi", 1 / 6894757.2931684] },
-  share: { si: ["%", 100], field: ["%", 100] },
-  energy: { si: ["kJ", 1e-3], field: ["kft lbf", 1 / 1355.8179483314] },
-  frequency: { si: ["Hz", 1], field: ["Hz", 1] },
-  step: { si: ["ms", 1e3], field: ["ms", 1e3] },
-  count: { si: ["", 1], field: ["", 1] },
+  ...metadata.units,
+  share: inBoth("%", 0.01),
+  frequency: inBoth("Hz", 1),
+  count: inBoth("", 1),
 };
 
 const unitOf = (quantity) => quantities[quantity][state.units][0];
-const factorOf = (quantity) => quantities[quantity][state.units][1];
+/** What turns a number in SI into one of the unit. */
+const factorOf = (quantity) => 1 / quantities[quantity][state.units][1];
 
 /** "Hook load (kN)" */
 const titled = (text, quantity) => (unitOf(quantity) ? `${text} (${unitOf(quantity)})` : text);
