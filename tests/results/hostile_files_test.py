@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""info, report and export of files that were made to break them: exit code 0 or 2, one line of
-error, no control characters, nothing of another file.
+"""Files that were made to break whoever reads them, before every command that does: exit code 0 or
+2, one line of error, no control characters, nothing of another file.
 
 usage: hostile_files_test.py PROGRAM SOURCE_FOLDER [TEST]...
 """
@@ -18,12 +18,18 @@ from concurrent.futures import ThreadPoolExecutor
 
 import hostile_files
 
+FILE = "hostile.h5"
 COMMANDS = {
-    "info": [],
-    "report": ["-o", "page.html"],
-    "csv": ["--csv", "-o", "tables"],
-    "vtk": ["--vtk", "-o", "lines"],
+    "info": ["info", FILE],
+    "report": ["report", FILE, "-o", "page.html", "--overwrite"],
+    "csv": ["export", FILE, "--csv", "-o", "tables", "--overwrite"],
+    "vtk": ["export", FILE, "--vtk", "-o", "lines", "--overwrite"],
+    "restart": ["run", "../well1.toml", "-o", "new.h5", "--restart", FILE],
+    # the last one: it may write over the file where that is drillstrand's own
+    "replace": ["buckling", "../buckling_heavy.toml", "--set", "mesh.segments=9", "-o", FILE,
+                "--overwrite"],
 }
+SHOW = ["info", "report", "csv", "vtk"]
 MOST_MEMORY = 1 << 20  # kB
 HANGS_AFTER = 120  # s; what a busy machine takes for one of them is far less
 CUTS, FLIPS = 12, 24
@@ -44,9 +50,7 @@ class Ending:
     """One command on one file."""
 
     def __init__(self, program, folder, command, path):
-        words = ["export" if command in ["csv", "vtk"] else command, path, *COMMANDS[command]]
-        if command != "info":
-            words.append("--overwrite")
+        words = [path if word == FILE else word for word in COMMANDS[command]]
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             process = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.DEVNULL,
                                        stdout=out, stderr=err)
@@ -92,7 +96,7 @@ class HostileFiles(unittest.TestCase):
         settings = ["--set", "mesh.segments=9"]
         cls.make("run", "well1.toml", "-o", "sound.h5", "--quiet", *settings,
                  "--set", "run.duration=0.1", "--set", "output.profile_interval=0.05",
-                 "--set", "output.interval=0.01")
+                 "--set", "output.interval=0.01", "--set", "output.checkpoint_interval=1e-9")
         cls.make("equilibrium", "well1.toml", "-o", "rest.h5", *settings)
         cls.make("buckling", "buckling_heavy.toml", "-o", "modes.h5", *settings)
         cls.make("torque-drag", "well1.toml", "-o", "drag.h5", *settings)
@@ -114,9 +118,9 @@ class HostileFiles(unittest.TestCase):
                 place = pathlib.Path(place)
                 os.mkfifo(place / "pipe")
                 shutil.copy(self.folder / "sound.h5", place)
-                path = place / "hostile.h5"
+                path = place / FILE
                 make(path)
-                return name, {command: Ending(self.program, place, command, "hostile.h5")
+                return name, {command: Ending(self.program, place, command, FILE)
                               for command in COMMANDS}, self.leaked(place)
         with ThreadPoolExecutor(2) as pool:
             results = list(pool.map(endings_of, makers.items()))
@@ -160,9 +164,16 @@ class HostileFiles(unittest.TestCase):
                 with self.subTest(file=name, command=command):
                     self.assertIsNone(LIBRARY_FAILS.search(ending.err.decode()), ending.err)
 
+    def test_only_a_sound_file_is_written_over(self):
+        for name, endings, _ in self.try_all({
+                "sound": self.damaged(lambda path: None),
+                "title_missing": self.damaged(hostile_files.KINDS["title_missing"])}):
+            self.assertEqual(endings["replace"].code, 0 if name == "sound" else 2, endings["replace"].err)
+            self.assertIn(b"not a checkpoint", endings["restart"].err)
+
     def test_files_that_are_cut_off_or_partly_overwritten_are_shown_or_refused(self):
         makers = {}
-        for seed, name in enumerate(["sound.h5", "rest.h5", "modes.h5", "drag.h5"]):
+        for seed, name in enumerate(["sound.h5", "sound.checkpoint.h5", "rest.h5", "modes.h5", "drag.h5"]):
             data = (self.folder / name).read_bytes()
             copies = hostile_files.cut_off(data, CUTS)
             copies.update(hostile_files.flipped(data, FLIPS, seed))
@@ -173,7 +184,7 @@ class HostileFiles(unittest.TestCase):
     def test_what_is_no_file_is_refused_at_once(self):
         with tempfile.TemporaryDirectory(dir=self.folder) as place:
             for name in hostile_files.special_files(pathlib.Path(place)):
-                for command in COMMANDS:
+                for command in [*SHOW, "restart"]:
                     with self.subTest(file=name, command=command):
                         ending = Ending(self.program, place, command, name)
                         self.assertEqual(ending.problems(), [])
@@ -181,7 +192,7 @@ class HostileFiles(unittest.TestCase):
 
     def test_sound_files_are_shown(self):
         for name in ["sound.h5", "rest.h5"]:
-            for command in COMMANDS:
+            for command in SHOW:
                 with self.subTest(file=name, command=command):
                     self.assertEqual(Ending(self.program, self.folder, command, name).code, 0)
         for name in ["modes.h5", "drag.h5"]:

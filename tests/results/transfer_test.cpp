@@ -112,6 +112,38 @@ TEST(Transfer, EveryMotionOfTorqueAndDragComesThrough) {
 }
 
 /// A list that claims more than follows: what reads it neither waits nor takes memory for it.
+TEST(Transfer, EveryRowOfACheckpointComesThrough) {
+    Checkpoint sent;
+    sent.header = MadeUpRun(3).header();
+    sent.version = "1.2.3";
+    sent.commit = "abc";
+    sent.time = 0.25;
+    sent.wall_seconds = 7;
+    sent.series = 11;
+    sent.profiles = 2;
+    sent.state = {{"rod/position", "m", {1, 2, 3}}, {"bit/turns", "1", {}}};
+    sent.summary = {{"largest", "m", {0.5}}};
+    sent.scene = {{"mesh/node_s", "m", {0, 1}}};
+    const Checkpoint got = through_a_pipe(sent);
+    EXPECT_EQ(got.header.case_text, sent.header.case_text);
+    EXPECT_EQ(got.version, "1.2.3");
+    EXPECT_EQ(got.commit, "abc");
+    EXPECT_EQ(got.time, 0.25);
+    EXPECT_EQ(got.wall_seconds, 7);
+    EXPECT_EQ(got.series, 11U);
+    EXPECT_EQ(got.profiles, 2U);
+    ASSERT_EQ(got.state.size(), 2U);
+    EXPECT_EQ(got.state[0].name, "rod/position");
+    EXPECT_EQ(got.state[0].unit, "m");
+    EXPECT_EQ(got.state[0].values, sent.state[0].values);
+    EXPECT_EQ(got.state[1].name, "bit/turns");
+    EXPECT_TRUE(got.state[1].values.empty());
+    ASSERT_EQ(got.summary.size(), 1U);
+    EXPECT_EQ(got.summary[0].values, sent.summary[0].values);
+    ASSERT_EQ(got.scene.size(), 1U);
+    EXPECT_EQ(got.scene[0].values, sent.scene[0].values);
+}
+
 TEST(Transfer, AListThatEndsEarlyIsAnError) {
     std::array<int, 2> ends = {};
     ASSERT_EQ(::pipe(ends.data()), 0);

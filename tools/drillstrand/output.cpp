@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "commands.hpp"
-#include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
+#include "read_apart.hpp"
 
 namespace drillstrand::program {
 
@@ -90,7 +90,7 @@ void require_different(std::string_view option, const fs::path& output,
 
 bool is_own_file(const fs::path& path) {
     const std::string start = start_of(path);
-    if (start.starts_with("\x89HDF\r\n")) return is_own_result(path);
+    if (start.starts_with("\x89HDF\r\n")) return is_own_result_apart(path);
     return start.find("<meta name=\"generator\" content=\"drillstrand\">") != std::string::npos ||
            start.find("<!-- made by drillstrand -->") != std::string::npos ||
            std::any_of(table_starts.begin(), table_starts.end(),

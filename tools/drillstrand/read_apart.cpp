@@ -38,8 +38,8 @@ constexpr std::size_t memory_per_byte = 64;
 constexpr suseconds_t watch_period = 10000;  // microseconds
 /// Exit codes of the reading process.
 enum Ending { done_reading = 0, failed_to_send = 3, out_of_memory = 4 };
-/// What stands first in the pipe: an error, or one more than the alternative of Contents.
-constexpr std::uint8_t error_follows = 0;
+/// What stands first in the pipe.
+enum Answer : std::uint8_t { error_follows = 0, value_follows = 1 };
 
 // A signal handler can reach nothing else.
 std::size_t memory_limit = 0;
@@ -101,26 +101,49 @@ Contents read_here(const fs::path& path) {
     return read_result(path);
 }
 
-void send(Sender& pipe, Contents& contents) {
-    pipe.value(static_cast<std::uint8_t>(contents.index() + 1));
+template <std::size_t index = 0>
+Contents receive(Receiver& pipe, std::size_t which) {
+    if constexpr (index < std::variant_size_v<Contents>) {
+        if (which != index) return receive<index + 1>(pipe, which);
+        std::variant_alternative_t<index, Contents> held;
+        transfer(pipe, held);
+        return held;
+    } else {
+        throw BrokenPipe();
+    }
+}
+
+void transfer(Sender& pipe, Contents& contents) {
+    pipe.value(contents.index());
     std::visit([&](auto& held) { transfer(pipe, held); }, contents);
 }
 
-void read_and_send(const fs::path& path, Sender& pipe) {
+void transfer(Receiver& pipe, Contents& contents) {
+    std::size_t which = 0;
+    pipe.value(which);
+    contents = receive(pipe, which);
+}
+
+/// Reads a file and writes what it found, or why it did not, into a pipe.
+template <class Value>
+void read_and_send(Value (*read)(const fs::path&), const fs::path& path, Sender& pipe) {
     try {
-        Contents contents = read_here(path);
-        send(pipe, contents);
+        Value value = read(path);
+        pipe.value(static_cast<std::uint8_t>(value_follows));
+        transfer(pipe, value);
     } catch (const BrokenPipe&) {
         throw;
     } catch (const std::exception& error) {
-        pipe.value(error_follows);
+        pipe.value(static_cast<std::uint8_t>(error_follows));
         pipe.list(std::string(error.what()));
     }
     pipe.flush();
 }
 
 /// The life of the reading process.
-[[noreturn]] void live(const fs::path& path, std::size_t file_bytes, int pipe) {
+template <class Value>
+[[noreturn]] void live(Value (*read)(const fs::path&), const fs::path& path, std::size_t file_bytes,
+                       int pipe) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -128,7 +151,7 @@ void read_and_send(const fs::path& path, Sender& pipe) {
     limit_resources(file_bytes);
     Sender sender(pipe);
     try {
-        read_and_send(path, sender);
+        read_and_send(read, path, sender);
     } catch (...) {
         ::_exit(failed_to_send);
     }
@@ -138,12 +161,13 @@ void read_and_send(const fs::path& path, Sender& pipe) {
 /// A process that reads, and this process's end of the pipe to it.
 class Reader {
   public:
-    Reader(const fs::path& path, std::size_t file_bytes) {
+    template <class Value>
+    Reader(Value (*read)(const fs::path&), const fs::path& path, std::size_t file_bytes) {
         std::array<int, 2> ends = {};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) refuse("make a pipe");
         std::fflush(nullptr);  // or the child could print it once more
         child_ = ::fork();
-        if (child_ == 0) live(path, file_bytes, ends[1]);
+        if (child_ == 0) live(read, path, file_bytes, ends[1]);
         const int error = errno;
         ::close(ends[1]);
         pipe_ = ends[0];
@@ -181,18 +205,6 @@ class Reader {
     int status_ = 0;
 };
 
-template <std::size_t index = 0>
-Contents receive(Receiver& pipe, std::size_t which) {
-    if constexpr (index < std::variant_size_v<Contents>) {
-        if (which != index) return receive<index + 1>(pipe, which);
-        std::variant_alternative_t<index, Contents> held;
-        transfer(pipe, held);
-        return held;
-    } else {
-        throw BrokenPipe();
-    }
-}
-
 /// Why the process that read ended without an answer.
 std::string cause_of(int status) {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
@@ -208,21 +220,43 @@ std::size_t size_of(const fs::path& path) {
     return ignored ? 0 : static_cast<std::size_t>(bytes);
 }
 
-}  // namespace
-
-Contents read_apart(const fs::path& path) {
-    Reader reader(path, size_of(path));
+/// What `read` finds in a file, called in a process of its own.
+template <class Value>
+Value call_apart(Value (*read)(const fs::path&), const fs::path& path) {
+    Reader reader(read, path, size_of(path));
     Receiver pipe(reader.pipe());
     std::string error;
     try {
-        std::uint8_t what = error_follows;
-        pipe.value(what);
-        if (what != error_follows) return receive(pipe, what - std::size_t{1});
+        std::uint8_t answer = error_follows;
+        pipe.value(answer);
+        if (answer == value_follows) {
+            Value value{};
+            transfer(pipe, value);
+            return value;
+        }
         pipe.list(error);
     } catch (const BrokenPipe&) {
         error = path.string() + ": cannot read: " + cause_of(reader.end());
     }
     throw ResultError(error);
+}
+
+}  // namespace
+
+Contents read_apart(const fs::path& path) {
+    return call_apart(read_here, path);
+}
+
+Checkpoint read_checkpoint_apart(const fs::path& path) {
+    return call_apart(read_checkpoint, path);
+}
+
+bool is_own_result_apart(const fs::path& path) {
+    try {
+        return call_apart(is_own_result, path);
+    } catch (const ResultError&) {
+        return false;
+    }
 }
 
 std::optional<std::string_view> other_than_run(const Contents& contents) {

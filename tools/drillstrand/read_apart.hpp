@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "drillstrand/buckling_file.hpp"
+#include "drillstrand/checkpoint.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
 
@@ -20,6 +21,12 @@ using Contents = std::variant<Result, BucklingResult, TorqueDragResult>;
 /// Throws ResultError where the file cannot be read, or reading it crashes, takes longer than any
 /// sound file of its size, or more memory.
 Contents read_apart(const std::filesystem::path& path);
+
+/// read_checkpoint(), which throws in the same cases too.
+Checkpoint read_checkpoint_apart(const std::filesystem::path& path);
+
+/// is_own_result(); false where it cannot tell, since then nobody should write over the file.
+bool is_own_result_apart(const std::filesystem::path& path);
 
 /// In words what a file of another command than run and equilibrium holds; none for theirs.
 std::optional<std::string_view> other_than_run(const Contents& contents);

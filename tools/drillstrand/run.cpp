@@ -18,6 +18,7 @@
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "read_apart.hpp"
 #include "signals.hpp"
 #include "wording.hpp"
 
@@ -213,10 +214,9 @@ int end_interrupted(Recorder& recorder, const fs::path& output) {
     return interrupted;
 }
 
-/// Reads a checkpoint and takes its state up. Throws ResultError where it is not of this run.
-Checkpoint take_up(const fs::path& path, const ResultHeader& header, bool same_bits_everywhere,
-                   Integrator& integrator) {
-    Checkpoint checkpoint = read_checkpoint(path);
+/// Takes the state of a checkpoint up. Throws ResultError where it is not of this run.
+void take_up(const Checkpoint& checkpoint, const fs::path& path, const ResultHeader& header,
+             bool same_bits_everywhere, Integrator& integrator) {
     require_same_run(path, checkpoint, header, same_bits_everywhere);
     try {
         integrator.restore(checkpoint.state);
@@ -224,7 +224,6 @@ Checkpoint take_up(const fs::path& path, const ResultHeader& header, bool same_b
         throw ResultError(
             fmt::format("{}: cannot go on from it: {}", path.string(), problem.what()));
     }
-    return checkpoint;
 }
 
 }  // namespace
@@ -240,6 +239,9 @@ int run(const RunOptions& options) {
     require_output("-o", output, rules);
     require_output("checkpoint", checkpoint_file, {true, rules.inputs});
     if (options.threads >= 0) input.run.threads = options.threads;
+    Checkpoint origin;
+    // before there are threads, which a process that is copied leaves behind
+    if (goes_on) origin = read_checkpoint_apart(options.restart);
     const Scene scene = starting_scene(input);
     IntegratorOptions integration = integrator_options(input.run);
     integration.isa = isa;
@@ -248,8 +250,7 @@ int run(const RunOptions& options) {
     // as asked, or as chosen
     const int threads = input.run.threads > 0 ? input.run.threads : integrator->threads();
     const ResultHeader header = run_header(input, scene, threads, isa);
-    Checkpoint origin;
-    if (goes_on) origin = take_up(options.restart, header, input.run.reproducible, *integrator);
+    if (goes_on) take_up(origin, options.restart, header, input.run.reproducible, *integrator);
     origin.header = header;
     const RecordCounts taken{origin.series, origin.profiles};
     watch_signals();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "drillstrand/buckling_file.hpp"
+#include "drillstrand/checkpoint.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/result_layout.hpp"
 #include "drillstrand/torque_drag_file.hpp"
@@ -291,6 +292,20 @@ template <class Pipe>
 void transfer(Pipe& pipe, TorqueDragResult& result) {
     auto& [header, study, version, commit] = result;
     transfer_all(pipe, header, study, version, commit);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, SavedRow& row) {
+    auto& [name, unit, values] = row;
+    transfer_all(pipe, name, unit, values);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, Checkpoint& checkpoint) {
+    auto& [header, version, commit, time, wall_seconds, series, profiles, state, summary, scene] =
+        checkpoint;
+    transfer_all(pipe, header, version, commit, time, wall_seconds, series, profiles, state,
+                 summary, scene);
 }
 
 template <class Pipe, class... Values>
