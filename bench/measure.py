@@ -92,16 +92,22 @@ def load():
     return f"{os.getloadavg()[0]:.1f}"
 
 
+def set_options(settings):
+    """Case keys and their values as options of the program."""
+    options = []
+    for key, value in settings.items():
+        text = str(value).lower() if isinstance(value, bool) else str(value)
+        options += ["--set", f"{key}={text}"]
+    return options
+
+
 def run_case(build, case, settings, threads=1, output=None):
     """Runs a case; returns root attributes, series (a dict of arrays) and processor time (s).
 
     `settings` maps case keys to values. Keeps the result file where `output` names one.
     """
     command = [str(executable(build, "drillstrand")), "run", str(ROOT / "cases" / case), "--quiet",
-               "--threads", str(threads)]
-    for key, value in settings.items():
-        text = str(value).lower() if isinstance(value, bool) else str(value)
-        command += ["--set", f"{key}={text}"]
+               "--threads", str(threads), *set_options(settings)]
     with tempfile.TemporaryDirectory() as scratch:
         result = Path(output or Path(scratch) / "result.h5")
         before = os.times()
