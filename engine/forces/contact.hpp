@@ -45,6 +45,7 @@ struct FrictionParameters {
     Tangential fixed_inverse;  ///< 1 / static coefficient; 0 in a direction without friction
     Tangential slide_inverse;  ///< 1 / dynamic coefficient; 0 in a direction without friction
     FrictionLaw law;
+    double creep = 0;  ///< creep at which the friction of a rolling pipe saturates; 0: never
 
     /// 1 where forces never leave Coulomb's cone, 0 for the paper's springs; no branch.
     [[nodiscard]] double cone() const { return static_cast<double>(law == FrictionLaw::coulomb); }
@@ -53,7 +54,8 @@ struct FrictionParameters {
 /// Coefficients and their inverses, so that kernels multiply. A coefficient of zero in a direction
 /// frees that direction.
 inline FrictionParameters friction_parameters(double stiffness, const Tangential& fixed,
-                                              const Tangential& slide, FrictionLaw law) {
+                                              const Tangential& slide, FrictionLaw law,
+                                              double creep = 0.0) {
     const auto inverse = [](double coefficient) {
         return coefficient > 0.0 ? 1.0 / coefficient : 0.0;
     };
@@ -63,7 +65,27 @@ inline FrictionParameters friction_parameters(double stiffness, const Tangential
             slide,
             {inverse(fixed.axial), inverse(fixed.azimuthal)},
             {inverse(slide.axial), inverse(slide.azimuthal)},
-            law};
+            law,
+            creep};
+}
+
+/// Speed of the contact along the wall (m/s): where a pipe that touches goes around the well with
+/// velocity_t, the point of contact goes around the wall at the same rate.
+DRILLSTRAND_INLINE double rolling_speed(double velocity_t, double eccentricity,
+                                        double hole_radius) {
+    constexpr double tiny = 1e-30;
+    return std::abs(velocity_t) * hole_radius / (eccentricity + tiny);
+}
+
+/// What rolling adds to the compliance of a spring (1/Pa) while the contact moves by `rolled` (m)
+/// along the wall: xi rolled / (mu_d f_n). The spring belongs to the material in contact, and
+/// rolling brings fresh, unstrained material in: an elongation u under the force k_tan u loses u xi
+/// rolled k_tan / (mu_d f_n).
+DRILLSTRAND_INLINE Tangential rolling_compliance(double rolled, double pressing,
+                                                 const FrictionParameters& p) {
+    constexpr double tiny = 1e-30;
+    const double over_normal = p.creep * rolled / (pressing > tiny ? pressing : tiny);
+    return {over_normal * p.slide_inverse.axial, over_normal * p.slide_inverse.azimuthal};
 }
 
 /// The spring of a node: elongation (m) and whether the point slides (1) or sticks (0).
@@ -121,17 +143,26 @@ DRILLSTRAND_INLINE Tangential friction_force(const FrictionSpring& spring, doubl
     return scaled_where_rough(elastic, inverse, demand2 > pressing * pressing ? onto : 1.0);
 }
 
-/// Coulomb's cone: the spring after the surface point moved by `slip` (m) under the normal force
-/// `normal`. Outside the limit the point slides and the spring returns to mu_d times the normal
-/// force; it sticks again, with the static limit, when the elastic predictor falls inside.
-/// Forgotten in the open hole.
+/// Elongation after the surface point moved by `slip` and the contact by `rolled` (m), implicit.
+DRILLSTRAND_INLINE Tangential moved_and_rolled(const Tangential& elongation, const Tangential& slip,
+                                               double rolled, double pressing,
+                                               const FrictionParameters& p) {
+    const Tangential more = rolling_compliance(rolled, pressing, p);
+    return {(elongation.axial + slip.axial) / (1.0 + p.stiffness * more.axial),
+            (elongation.azimuthal + slip.azimuthal) / (1.0 + p.stiffness * more.azimuthal)};
+}
+
+/// Coulomb's cone: the spring after the surface point moved by `slip` and the contact by `rolled`
+/// (m) under the normal force `normal`. Outside the limit the point slides and the spring returns
+/// to mu_d times the normal force; it sticks again, with the static limit, when the elastic
+/// predictor falls inside. Forgotten in the open hole.
 DRILLSTRAND_INLINE FrictionSpring coulomb_spring(const FrictionSpring& spring,
-                                                 const Tangential& slip, double normal,
-                                                 double penetration, const FrictionParameters& p) {
+                                                 const Tangential& slip, double rolled,
+                                                 double normal, double penetration,
+                                                 const FrictionParameters& p) {
     const double pressing = pressing_force(normal);
     const Tangential limit = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
-    const Tangential predictor = {spring.elongation.axial + slip.axial,
-                                  spring.elongation.azimuthal + slip.azimuthal};
+    const Tangential predictor = moved_and_rolled(spring.elongation, slip, rolled, pressing, p);
     const Tangential elastic = {p.stiffness * predictor.axial, p.stiffness * predictor.azimuthal};
     const bool slides = friction_demand2(elastic, limit) > pressing * pressing;
     const double onto = scale_onto_cone(friction_demand2(elastic, p.slide_inverse), pressing);
@@ -150,16 +181,18 @@ DRILLSTRAND_INLINE double paper_elongation(double predictor, double elastic_norm
 }
 
 /// The paper's law: the springs after the node moved by velocity_l dt along the well and turned by
-/// spin_l dt. `elastic_normal` is k_el dr. The azimuthal spring does not see the node's own motion
-/// around the well, so that a rolling pipe is still pushed: for comparison only.
+/// spin_l dt, and the contact rolled (m). `elastic_normal` is k_el dr. The azimuthal spring does
+/// not see the node's own motion around the well, so that a rolling pipe is still pushed: for
+/// comparison only.
 DRILLSTRAND_INLINE FrictionSpring paper_spring(const FrictionSpring& spring, const Tangential& slip,
-                                               double elastic_normal, double penetration,
-                                               const FrictionParameters& p) {
-    const double axial = paper_elongation(spring.elongation.axial + slip.axial, elastic_normal,
-                                          p.fixed.axial, p.slide.axial, p.stiffness);
-    const double azimuthal =
-        paper_elongation(spring.elongation.azimuthal + slip.azimuthal, elastic_normal,
-                         p.fixed.azimuthal, p.slide.azimuthal, p.stiffness);
+                                               double rolled, double elastic_normal,
+                                               double penetration, const FrictionParameters& p) {
+    const Tangential predictor =
+        moved_and_rolled(spring.elongation, slip, rolled, elastic_normal, p);
+    const double axial = paper_elongation(predictor.axial, elastic_normal, p.fixed.axial,
+                                          p.slide.axial, p.stiffness);
+    const double azimuthal = paper_elongation(predictor.azimuthal, elastic_normal,
+                                              p.fixed.azimuthal, p.slide.azimuthal, p.stiffness);
     const bool touches = penetration > 0.0;
     return {{touches ? axial : 0.0, touches ? azimuthal : 0.0}, 0.0};
 }

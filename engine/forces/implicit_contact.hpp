@@ -19,10 +19,11 @@ struct WellVelocity {
     double spin;     ///< rad/s
 };
 
-/// What a force does to a velocity over the step.
+/// What a force does to a velocity over the step. Fluid goes along sideways.
 struct Mobility {
-    double translation;  ///< dt / m
-    double rotation;     ///< dt / (rho Ip)
+    double across;    ///< dt / (m + mass of the fluid that moves along)
+    double along;     ///< dt / m
+    double rotation;  ///< dt / (rho Ip)
 };
 
 /// Normal force at the end of the step: k (dr - dt v_r) - eta v_r with v_r = v_r* + dt f / m.
@@ -30,8 +31,8 @@ DRILLSTRAND_INLINE double implicit_normal_force(double penetration, double veloc
                                                 double stiffness, double damping, double least,
                                                 double dt, const Mobility& mobility) {
     const double resistance = damping + dt * stiffness;
-    const double force = (stiffness * penetration - resistance * velocity_r) /
-                         (1.0 + mobility.translation * resistance);
+    const double force =
+        (stiffness * penetration - resistance * velocity_r) / (1.0 + mobility.across * resistance);
     const double bounded = force > least ? force : least;
     return penetration > 0.0 ? bounded : 0.0;
 }
@@ -92,21 +93,23 @@ DRILLSTRAND_INLINE Tangential return_to_cone(const Tangential& b, const Tangenti
 }
 
 /// Coulomb's law: trial with a sticking spring, then return to the cone. The mobility around the
-/// well joins translation and spin, since both move the surface point.
+/// well joins translation and spin, since both move the surface point. `rolled` is the way of the
+/// contact along the wall (m).
 DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const WellVelocity& v,
-                                             double normal, double penetration, double radius,
-                                             double dt, const Mobility& mobility,
+                                             double normal, double penetration, double rolled,
+                                             double radius, double dt, const Mobility& mobility,
                                              const FrictionParameters& p) {
-    const Tangential a = {
-        dt * mobility.translation + p.compliance,
-        dt * (mobility.translation + radius * radius * mobility.rotation) + p.compliance};
+    const double pressing = pressing_force(normal);
+    const Tangential rolling = rolling_compliance(rolled, pressing, p);
+    const Tangential a = {dt * mobility.along + p.compliance + rolling.axial,
+                          dt * (mobility.across + radius * radius * mobility.rotation) +
+                              p.compliance + rolling.azimuthal};
     const Tangential b = {spring.elongation.axial + dt * v.l,
                           spring.elongation.azimuthal + dt * (v.t + radius * v.spin)};
     const Tangential limit = limiting(spring.sliding, p.slide_inverse, p.fixed_inverse);
     const double inverse = 1.0 / (a.axial * a.azimuthal);
     const Tangential stick = scaled_where_rough({b.axial * a.azimuthal, b.azimuthal * a.axial},
                                                 p.slide_inverse, inverse);
-    const double pressing = pressing_force(normal);
     const bool slides = friction_demand2(stick, limit) > pressing * pressing;
     const Tangential slip = return_to_cone(b, a, p, pressing);
     const bool touches = penetration > 0.0;
@@ -119,13 +122,15 @@ DRILLSTRAND_INLINE FrictionStep coulomb_step(const FrictionSpring& spring, const
 /// The paper's two springs, implicit: the axial one sees v_l, the azimuthal one R times the spin
 /// alone; past mu_s k_el dr a spring holds mu_d k_el dr.
 DRILLSTRAND_INLINE FrictionStep paper_step(const FrictionSpring& spring, const WellVelocity& v,
-                                           double elastic_normal, double penetration, double radius,
-                                           double dt, const Mobility& mobility,
+                                           double elastic_normal, double penetration, double rolled,
+                                           double radius, double dt, const Mobility& mobility,
                                            const FrictionParameters& p) {
+    const Tangential rolling = rolling_compliance(rolled, elastic_normal, p);
     const double stick_l =
-        (spring.elongation.axial + dt * v.l) / (dt * mobility.translation + p.compliance);
-    const double stick_t = (spring.elongation.azimuthal + dt * radius * v.spin) /
-                           (dt * radius * radius * mobility.rotation + p.compliance);
+        (spring.elongation.axial + dt * v.l) / (dt * mobility.along + p.compliance + rolling.axial);
+    const double stick_t =
+        (spring.elongation.azimuthal + dt * radius * v.spin) /
+        (dt * radius * radius * mobility.rotation + p.compliance + rolling.azimuthal);
     const double slip_l = std::copysign(p.slide.axial * elastic_normal, stick_l);
     const double slip_t = std::copysign(p.slide.azimuthal * elastic_normal, stick_t);
     const bool touches = penetration > 0.0;
@@ -136,20 +141,18 @@ DRILLSTRAND_INLINE FrictionStep paper_step(const FrictionSpring& spring, const W
     return {{{p.compliance * f_l, p.compliance * f_t}, 0.0}, {-f_l, -f_t}};
 }
 
-/// Velocities after the drag of the annular fluid has acted for the whole step at its end value:
-/// scalar divisions for v_r and v_l, a symmetric positive definite 2 x 2 solve for (v_t, spin).
+/// Velocities after the drag of the annular fluid (N s/m2, N s) has acted for the whole step at its
+/// end value: scalar divisions for v_r and v_l, a symmetric positive definite 2 x 2 solve for (v_t,
+/// spin).
 DRILLSTRAND_INLINE WellVelocity implicit_drag(const WellVelocity& v, const DragCoefficients& drag,
-                                              double axial, double viscosity,
                                               const Mobility& mobility) {
-    const double a = viscosity * mobility.translation;
-    const double b = viscosity * mobility.rotation;
-    const double m11 = 1.0 + a * drag.around;
-    const double m12 = a * drag.cross;
-    const double m21 = b * drag.cross;
-    const double m22 = 1.0 + b * drag.spin;
+    const double m11 = 1.0 + mobility.across * drag.around;
+    const double m12 = mobility.across * drag.cross;
+    const double m21 = mobility.rotation * drag.cross;
+    const double m22 = 1.0 + mobility.rotation * drag.spin;
     const double det = m11 * m22 - m12 * m21;
-    const double across = 1.0 + a * drag.radial;
-    const double along = 1.0 + a * axial;
+    const double across = 1.0 + mobility.across * drag.radial;
+    const double along = 1.0 + mobility.along * drag.axial;
     // one division for the three
     const double inverse = 1.0 / (det * across * along);
     const double inverse_det = inverse * across * along;

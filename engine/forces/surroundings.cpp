@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "forces/added_mass.hpp"
 #include "forces/fluid.hpp"
 
 namespace drillstrand {
@@ -21,6 +22,7 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
     const double* normal = wall.row(WallRow::normal) + first;
     const double* slip_axial = wall.row(WallRow::slip_axial) + first;
     const double* slip_azimuthal = wall.row(WallRow::slip_azimuthal) + first;
+    const double* rolling = wall.row(WallRow::rolling) + first;
     const double* stiffness = surroundings.row(Surroundings::stiffness) + first;
     // a copy, which the stores below cannot change: a reference would be read again, by branches
     const FrictionParameters friction = surroundings.parameters().friction;
@@ -30,8 +32,9 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
         const Tangential slip = {dt * slip_axial[k], dt * slip_azimuthal[k]};
         const FrictionSpring next =
             law == FrictionLaw::paper
-                ? paper_spring(spring, slip, stiffness[k] * depth[k], depth[k], friction)
-                : coulomb_spring(spring, slip, normal[k], depth[k], friction);
+                ? paper_spring(spring, slip, dt * rolling[k], stiffness[k] * depth[k], depth[k],
+                               friction)
+                : coulomb_spring(spring, slip, dt * rolling[k], normal[k], depth[k], friction);
         elongation_axial[k] = next.elongation.axial;
         elongation_azimuthal[k] = next.elongation.azimuthal;
         sliding[k] = next.sliding;
@@ -48,12 +51,17 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     SurroundingsParameters p;
     const ContactCase& contact = scene.contact;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
-    p.friction = friction_parameters(
-        contact.tangential_stiffness,
-        {contact.static_friction.axial, contact.static_friction.azimuthal},
-        {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal}, contact.law);
+    p.friction =
+        friction_parameters(contact.tangential_stiffness,
+                            {contact.static_friction.axial, contact.static_friction.azimuthal},
+                            {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal},
+                            contact.law, contact.rolling_creep);
     if (scene.fluid) {
+        p.density = scene.fluid->density;
         p.viscosity = scene.fluid->viscosity;
+        p.inertial_flow = scene.features.inertial_flow;
+        p.contact_drag = scene.fluid->contact_drag;
+        p.drag_coefficient = scene.fluid->drag_coefficient;
         p.film = scene.fluid->film;
         p.eccentric_axial_drag = scene.fluid->axial_drag == AxialDrag::eccentric;
     }
@@ -71,6 +79,9 @@ Surroundings::Surroundings(const Scene& scene, Level level)
         constants_.row(pipe)[k] = scene.mesh.node[k].outer_radius;
         constants_.row(stiffness)[k] = scene.normal_stiffness[k];
         constants_.row(damping)[k] = scene.normal_damping[k];
+        if (!scene.features.fluid_mass) continue;
+        constants_.row(inside)[k] = fluid_inside(scene.mesh.node[k], *scene.fluid);
+        constants_.row(displaced)[k] = fluid_displaced(scene.mesh.node[k], *scene.fluid);
     }
 }
 
@@ -88,6 +99,7 @@ Table<WallRow> Surroundings::wall_at(const std::vector<Eigen::Vector3d>& positio
     for (std::size_t k = 0; k < nodes_; ++k) {
         guess = well_->find_arc(position[k], guess);
         enter_arc(wall, k, guess);
+        wall.row(WallRow::fluid_mass)[k] = fluid_mass(wall, k, position[k]);
     }
     return wall;
 }
@@ -114,6 +126,15 @@ void Surroundings::enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t
     set(WallRow::hole, a.radius);
     set(WallRow::concentric_axial,
         parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(row(pipe)[node], a.radius));
+    if (parameters_.inertial_flow) {
+        const FlowInertia flow =
+            flow_inertia(parameters_.density, parameters_.viscosity, parameters_.drag_coefficient,
+                         row(pipe)[node], a.radius);
+        set(WallRow::cross_flow, flow.cross);
+        set(WallRow::swirl, flow.swirl);
+        set(WallRow::swirl_reynolds, flow.swirl_reynolds);
+        set(WallRow::stream, flow.stream);
+    }
     const double angle = a.curvature * a.length;
     set(WallRow::end_cosine, std::cos(angle));
     set(WallRow::reach, angle < 1e-8 ? a.length : std::sin(angle) / a.curvature);
@@ -124,6 +145,19 @@ Eigen::Vector3d Surroundings::direction(const Table<WallRow>& wall, std::size_t 
                                         const Eigen::Vector3d& elsewhere) const {
     if (empty()) return elsewhere;
     return vector(well_frame(triple(position), numbers_of(well_->arcs()[arc(wall, node)])).l);
+}
+
+double Surroundings::fluid_mass(const Table<WallRow>& wall, std::size_t node,
+                                const Eigen::Vector3d& position) const {
+    if (empty() || row(displaced)[node] == 0) return 0;
+    const WellFrame frame =
+        well_frame(triple(position), numbers_of(well_->arcs()[arc(wall, node)]));
+    const double pipe_radius = row(pipe)[node];
+    const double hole_radius = wall.row(WallRow::hole)[node];
+    const double at =
+        drag_eccentricity(frame.eccentricity, pipe_radius, hole_radius, parameters_.film);
+    return row(inside)[node] +
+           row(displaced)[node] * added_mass(at, pipe_radius, hole_radius).coefficient;
 }
 
 NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,

@@ -19,8 +19,12 @@ namespace drillstrand {
 struct SurroundingsParameters {
     double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
     FrictionParameters friction{};
+    double density = 0;    ///< kg/m3
     double viscosity = 0;  ///< Pa s
     double film = 0;
+    double drag_coefficient = 0;  ///< of cross flow; 0 where the flow has no inertia
+    bool inertial_flow = false;
+    bool contact_drag = true;  ///< also where the pipe touches
     bool eccentric_axial_drag = true;
 };
 
@@ -44,6 +48,8 @@ class Surroundings {
         pipe,       // outer radius of the pipe (m)
         stiffness,  // k_el (Pa)
         damping,    // eta_el (Pa s)
+        inside,     // fluid in the pipe that moves sideways with it (kg/m)
+        displaced,  // fluid that the pipe displaces, rho pi R^2, where it has an added mass (kg/m)
         rows
     };
 
@@ -65,6 +71,10 @@ class Surroundings {
     /// arc: whether there is anything to follow at the end of a step.
     [[nodiscard]] bool changes(const Table<WallRow>& wall, std::size_t block) const;
 
+    /// Mass of the fluid that moves sideways with a node at `position` (kg/m).
+    [[nodiscard]] double fluid_mass(const Table<WallRow>& wall, std::size_t node,
+                                    const Eigen::Vector3d& position) const;
+
     /// Friction springs of a block after the surface points slipped for dt (s).
     void advance_springs(Table<WallRow>& wall, double dt, std::size_t block) const;
 
@@ -77,6 +87,14 @@ class Surroundings {
             if (wall.row(WallRow::leaves)[k] > 0.5)
                 enter_arc(wall, k, well_->find_arc(position(k), arc(wall, k)));
         }
+    }
+
+    /// The fluid that moves sideways with the nodes of a span.
+    template <class Position>
+    void refresh_fluid_mass(Table<WallRow>& wall, BlockSpan span, const Position& position) const {
+        const std::size_t end = std::min(span.end * block_size, nodes_);
+        for (std::size_t k = span.begin * block_size; k < end; ++k)
+            wall.row(WallRow::fluid_mass)[k] = fluid_mass(wall, k, position(k));
     }
 
     /// Contact of a node at `position`, with the normal force of the last node kernel. Everything

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "forces/added_mass.hpp"
+#include "forces/fluid.hpp"
 #include "forces/surroundings.hpp"
 #include "forces/well_frame.hpp"
 #include "state/rows.hpp"
@@ -23,7 +25,13 @@ struct WallRows {
           end_cosine(wall.row(WallRow::end_cosine) + first),
           reach(wall.row(WallRow::reach) + first),
           concentric_axial(wall.row(WallRow::concentric_axial) + first),
+          cross_flow(wall.row(WallRow::cross_flow) + first),
+          swirl(wall.row(WallRow::swirl) + first),
+          swirl_reynolds(wall.row(WallRow::swirl_reynolds) + first),
+          stream(wall.row(WallRow::stream) + first),
           pipe(surroundings.row(Surroundings::pipe) + first),
+          inside(surroundings.row(Surroundings::inside) + first),
+          displaced(surroundings.row(Surroundings::displaced) + first),
           stiffness(surroundings.row(Surroundings::stiffness) + first),
           dashpot(surroundings.row(Surroundings::damping) + first),
           elongation_axial(wall.row(WallRow::elongation_axial) + first),
@@ -33,18 +41,33 @@ struct WallRows {
           normal(wall.row(WallRow::normal) + first),
           slip_axial(wall.row(WallRow::slip_axial) + first),
           slip_azimuthal(wall.row(WallRow::slip_azimuthal) + first),
+          rolling(wall.row(WallRow::rolling) + first),
+          fluid_mass(wall.row(WallRow::fluid_mass) + first),
           leaves(wall.row(WallRow::leaves) + first) {}
 
     ConstTriples start{}, tangent{}, normal_to_axis{};
     const double *curvature = nullptr, *hole = nullptr, *end_cosine = nullptr, *reach = nullptr,
-                 *concentric_axial = nullptr, *pipe = nullptr, *stiffness = nullptr,
-                 *dashpot = nullptr;
+                 *concentric_axial = nullptr, *cross_flow = nullptr, *swirl = nullptr,
+                 *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr, *inside = nullptr,
+                 *displaced = nullptr, *stiffness = nullptr, *dashpot = nullptr;
     double *elongation_axial = nullptr, *elongation_azimuthal = nullptr, *sliding = nullptr,
            *depth = nullptr, *normal = nullptr, *slip_axial = nullptr, *slip_azimuthal = nullptr,
-           *leaves = nullptr;
+           *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr;
 
     DRILLSTRAND_INLINE ArcNumbers arc(std::size_t k) const {
         return {start[k], tangent[k], normal_to_axis[k], curvature[k], hole[k]};
+    }
+    DRILLSTRAND_INLINE FlowInertia flow(std::size_t k) const {
+        return {cross_flow[k], swirl[k], swirl_reynolds[k], stream[k]};
+    }
+    /// Added mass of the annulus at a node (kg/m), and its slope over the eccentricity. The film
+    /// counts as for the drag.
+    DRILLSTRAND_INLINE AddedMass annulus_mass(std::size_t k, double eccentricity,
+                                              double film) const {
+        const double at = drag_eccentricity(eccentricity, pipe[k], hole[k], film);
+        const AddedMass added = added_mass(at, pipe[k], hole[k]);
+        return {displaced[k] * added.coefficient,
+                at < eccentricity ? 0.0 : displaced[k] * added.slope};
     }
     DRILLSTRAND_INLINE FrictionSpring spring(std::size_t k) const {
         return {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};

@@ -10,16 +10,6 @@ namespace drillstrand {
 
 namespace {
 
-/// Throws InputError where the case asks for what the engine cannot do yet: one line each.
-void refuse_unfinished(const Case& input, const toml::table& root) {
-    const auto refuse = [&](bool asked, std::string_view path, std::string_view expected) {
-        if (!asked) return;
-        const Value value(*root.at_path(path).node(), std::string(path));
-        value.fail(fmt::format("asks for what is not available yet; expected {}", expected));
-    };
-    refuse(input.fluid && input.fluid->added_mass, "fluid.added_mass", "false");
-}
-
 /// Throws InputError where a run cannot start from equilibrium.
 void check_initial_equilibrium(const Case& input, const toml::table& root) {
     if (input.initial.state != InitialState::equilibrium) return;
@@ -75,7 +65,6 @@ Case read_case(const std::filesystem::path& path,
     result.equilibrium = read_equilibrium(root);
     if (result.well) check_fit(*result.well, string, result.head);
     result.torque_drag = read_torque_drag(root, result.well, string);
-    refuse_unfinished(result, document.root);
     check_initial_equilibrium(result, document.root);
     result.path = path;
     result.files = files_of(document.root, path);

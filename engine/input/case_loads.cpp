@@ -137,7 +137,7 @@ BitCase read_bit(const Table& root, const StringCase& string) {
 ContactCase read_contact(const Table& root) {
     const Table table = root.subtable(
         "contact", {"normal_stiffness", "normal_damping", "restitution", "tangential_stiffness",
-                    "static_friction", "dynamic_friction", "law", "tension"});
+                    "rolling_creep", "static_friction", "dynamic_friction", "law", "tension"});
     table.refuse_both("normal_damping", "restitution");
 
     ContactCase contact;
@@ -151,6 +151,7 @@ ContactCase read_contact(const Table& root) {
     contact.tangential_stiffness =
         table.quantity("tangential_stiffness", dimension::pressure, contact.tangential_stiffness,
                        plausible::wall_stiffness);
+    contact.rolling_creep = table.number("rolling_creep", contact.rolling_creep, plausible::creep);
     const std::string usual = fmt::format("{}", contact.static_friction.axial);
     if (const std::optional<Value> value = table.find("static_friction", usual)) {
         contact.static_friction = read_friction(*value);
@@ -162,13 +163,32 @@ ContactCase read_contact(const Table& root) {
     return contact;
 }
 
+namespace {
+
+/// Damping of both motions by the paper's one number, or by a key each in its own unit.
+DampingPair read_damping_pair(const Table& table, const std::string& both, const Dimension& linear,
+                              const Dimension& angular) {
+    const std::string translation = both + "_translation";
+    const std::string rotation = both + "_rotation";
+    table.refuse_both(both, translation);
+    table.refuse_both(both, rotation);
+    const double shared = table.quantity(both, damping_coefficient, 0.0, plausible::damping);
+    return {table.quantity(translation, linear, shared, plausible::damping),
+            table.quantity(rotation, angular, shared, plausible::damping)};
+}
+
+}  // namespace
+
 DampingCase read_damping(const Table& root) {
-    const Table table = root.subtable("damping", {"internal", "external", "kelvin_voigt"});
+    const Table table = root.subtable(
+        "damping", {"internal", "internal_translation", "internal_rotation", "external",
+                    "external_translation", "external_rotation", "kelvin_voigt"});
+    constexpr Dimension newton_second{1, 1, -1};
+    constexpr Dimension newton_metre_second{1, 2, -1};
     DampingCase damping;
     damping.internal =
-        table.quantity("internal", damping_coefficient, damping.internal, plausible::damping);
-    damping.external =
-        table.quantity("external", damping_coefficient, damping.external, plausible::damping);
+        read_damping_pair(table, "internal", damping_coefficient, newton_metre_second);
+    damping.external = read_damping_pair(table, "external", dimension::viscosity, newton_second);
     damping.kelvin_voigt =
         table.quantity("kelvin_voigt", dimension::time, damping.kelvin_voigt, plausible::delay);
     return damping;

@@ -92,8 +92,9 @@ std::optional<WellCase> read_well(const Table& root, const std::filesystem::path
 std::optional<FluidCase> read_fluid(const Table& root) {
     const std::optional<Value> value = root.find("fluid");
     if (!value) return std::nullopt;
-    const Table table(
-        *value, {"density", "viscosity", "inside", "drag", "axial_drag", "film", "added_mass"});
+    const Table table(*value,
+                      {"density", "viscosity", "inside", "drag", "regime", "drag_coefficient",
+                       "contact_drag", "axial_drag", "film", "added_mass"});
     FluidCase fluid;
     fluid.density = table.require("density", "a density such as \"10 ppg\"")
                         .quantity(dimension::density, plausible::density);
@@ -107,6 +108,15 @@ std::optional<FluidCase> read_fluid(const Table& root) {
     }
     fluid.inside = table.choice<InsideOfPipe>(
         "inside", fluid.inside, {{"fluid", InsideOfPipe::fluid}, {"empty", InsideOfPipe::empty}});
+    fluid.regime = table.choice<FlowRegime>(
+        "regime", fluid.regime,
+        {{"inertial", FlowRegime::inertial}, {"laminar", FlowRegime::laminar}});
+    fluid.drag_coefficient =
+        table.number("drag_coefficient", fluid.drag_coefficient, plausible::drag_coefficient);
+    if (fluid.regime == FlowRegime::laminar)
+        if (const std::optional<Value> unused = table.find("drag_coefficient"))
+            unused->fail("has no effect; expected it with regime = \"inertial\"");
+    fluid.contact_drag = table.boolean("contact_drag", fluid.contact_drag);
     fluid.axial_drag = table.choice<AxialDrag>(
         "axial_drag", fluid.axial_drag,
         {{"eccentric", AxialDrag::eccentric}, {"concentric", AxialDrag::concentric}});

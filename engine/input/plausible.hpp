@@ -27,6 +27,8 @@ inline constexpr Range speed{.low = -1e6, .high = 1e6};            // m/s
 inline constexpr Range wall_stiffness{.low = 1e-3, .high = 1e15};  // Pa
 inline constexpr Range wall_damping{.low = 0, .high = 1e15};       // Pa s
 inline constexpr Range friction{.low = 0, .high = 1e3};            // 1
+inline constexpr Range creep{.low = 0, .high = 1};                 // 1
+inline constexpr Range drag_coefficient{.low = 0, .high = 1e3};    // 1
 inline constexpr Range damping{.low = 0, .high = 1e12};            // N s/m
 inline constexpr Range delay{.low = 0, .high = 1e3};               // s
 inline constexpr Range instant{.low = -1e12, .high = 1e12};        // s

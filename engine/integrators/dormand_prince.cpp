@@ -233,9 +233,10 @@ void DormandPrince::combine(Worker& worker, std::size_t stage, double step) {
 void DormandPrince::evaluate(Worker& worker, std::size_t stage, double time,
                              const Table<StrandRow>& rod, const HeadState& head) {
     Table<StrandRow>& rate = *worker.rate[stage];
-    segment_pass(string_.model, rod, rate, work_, worker.begin, worker.end);
+    segment_pass(string_.model, rod, rate, work_, state_.wall, worker.begin, worker.end);
     if (!string_.head.is_driven())
-        worker.head_rate[stage] = string_.head.rate(head, velocity_of(string_.scene, rod, 0));
+        worker.head_rate[stage] =
+            string_.head.rate(head, velocity_of(string_.scene, rod, state_.wall, 0));
     barrier_.wait();
     chain_blocks(string_.head.pose(head, time), work_, worker.block_start, worker.end);
     load_ends(worker, stage, time, rod);
@@ -260,11 +261,11 @@ void DormandPrince::load_ends(const Worker& worker, std::size_t stage, double ti
             on_rod = string_.head.stress(worker.block_start[0].frame, time);
             set_head_wrench(work_, -on_rod);
         }
-        power_[stage].head = on_rod.dot(velocity_of(string_.scene, rod, 0));
+        power_[stage].head = on_rod.dot(velocity_of(string_.scene, rod, state_.wall, 0));
     }
     if (owns_bit(worker)) {
         const std::size_t node = string_.model.segments;
-        const Vector6 v = velocity_of(string_.scene, rod, node);
+        const Vector6 v = velocity_of(string_.scene, rod, state_.wall, node);
         const Pose pose = node_pose(work_, worker.block_start, node);
         const Vector6 stress =
             string_.bit.stress(bit_motion(string_, state_.wall, pose, v[0], time), time);
@@ -311,7 +312,8 @@ void DormandPrince::accept(Worker& worker, double step) {
     }
 
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
-        if (string_.model.surroundings.changes(state_.wall, block))
+        if (string_.model.features.fluid_mass ||
+            string_.model.surroundings.changes(state_.wall, block))
             follow_surroundings(worker, block, step);
         count_events(string_, state_, block);
         power_[0].surroundings[block] = work_.power[block];
@@ -325,14 +327,19 @@ void DormandPrince::accept(Worker& worker, double step) {
     std::swap(worker.head_rate.front(), worker.head_rate.back());
 }
 
-/// Springs and arcs of one block follow its nodes. They act on their own node only: the last stage
-/// is brought up to date in place and serves as the first one of the next step.
+/// Springs, arcs and the fluid that moves along follow the nodes of one block. They act on their
+/// own node only: the last stage is brought up to date in place and serves as the first one of the
+/// next step. (The velocities in its segments' rates are those before the fluid followed, by a ten
+/// thousandth of its mass.)
 void DormandPrince::follow_surroundings(Worker& worker, std::size_t block, double step) {
     const Surroundings& surroundings = string_.model.surroundings;
     surroundings.advance_springs(state_.wall, step, block);
-    surroundings.refresh_arcs(state_.wall, {block, block + 1}, [&](std::size_t node) {
+    const auto position = [&](std::size_t node) {
         return node_pose(work_, worker.block_start, node).position;
-    });
+    };
+    surroundings.refresh_arcs(state_.wall, {block, block + 1}, position);
+    if (string_.model.features.fluid_mass)
+        surroundings.refresh_fluid_mass(state_.wall, {block, block + 1}, position);
     Table<StrandRow>& rate = *worker.rate.back();
     node_pass(string_.model, *worker.trial, rate, work_, worker.block_start, state_.wall, block,
               block + 1);

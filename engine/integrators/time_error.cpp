@@ -24,12 +24,13 @@ constexpr std::int64_t most_steps_between_looks = 8192;
 double rod_energy(const Scene& scene, const Profile& profile) {
     double sum = elastic_energy(scene, profile.stress);
     for (std::size_t k = 0; k < profile.momentum.size(); ++k)
-        sum += kinetic_energy(scene, k, profile.momentum[k]);
+        sum += kinetic_energy(scene, k, profile.fluid_mass[k], profile.momentum[k]);
     return sum;
 }
 
 double rod_energy_between(const Scene& scene, const Profile& one, const Profile& other) {
     Profile difference;
+    difference.fluid_mass = other.fluid_mass;
     for (std::size_t k = 0; k < one.momentum.size(); ++k)
         difference.momentum.emplace_back(one.momentum[k] - other.momentum[k]);
     for (std::size_t k = 0; k < one.stress.size(); ++k)

@@ -48,7 +48,7 @@ void set_wall(Scene& scene) {
         scene.normal_stiffness.push_back(stiffness);
         scene.normal_damping.push_back(contact.restitution
                                            ? 2 * damping_ratio_for(*contact.restitution) *
-                                                 std::sqrt(stiffness * mesh.node[k].mass)
+                                                 std::sqrt(stiffness * scene.lateral_mass[k])
                                            : width * contact.normal_damping);
     }
 }
@@ -56,9 +56,37 @@ void set_wall(Scene& scene) {
 SceneFeatures features_of(const Case& input) {
     SceneFeatures features;
     features.well = input.well.has_value();
-    features.drag = features.well && input.fluid && input.fluid->drag && input.fluid->viscosity > 0;
-    features.damping = input.damping.internal > 0 || input.damping.external > 0;
+    if (features.well && input.fluid) {
+        const FluidCase& fluid = *input.fluid;
+        features.inertial_flow = fluid.drag && fluid.regime == FlowRegime::inertial;
+        features.drag = fluid.drag && (fluid.viscosity > 0 || features.inertial_flow);
+        features.fluid_mass = fluid.added_mass;
+    }
+    features.damping = input.damping.internal.any() || input.damping.external.any();
     return features;
+}
+
+/// Added mass of a pipe in the middle of a hole, over the fluid that it displaces (Stokes 1843).
+double concentric_added_mass(double pipe, double hole) {
+    return (hole * hole + pipe * pipe) / (hole * hole - pipe * pipe);
+}
+
+/// The mass of each node that moves sideways, as in the middle of the hole.
+std::vector<double> lateral_masses(const Scene& scene) {
+    std::vector<double> masses;
+    std::size_t arc = 0;
+    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
+        const SectionProperties& node = scene.mesh.node[k];
+        masses.push_back(node.mass);
+        if (!scene.features.fluid_mass) continue;
+        const Eigen::Vector3d& position = scene.initial_nodes.position[k];
+        arc = scene.well->find_arc(position, arc);
+        masses.back() +=
+            fluid_inside(node, *scene.fluid) +
+            fluid_displaced(node, *scene.fluid) *
+                concentric_added_mass(node.outer_radius, scene.well->arcs()[arc].radius);
+    }
+    return masses;
 }
 
 }  // namespace
@@ -72,6 +100,16 @@ Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3) {
     Eigen::Matrix3d frame;
     frame << d3, d1, d3.cross(d1);
     return frame;
+}
+
+double fluid_inside(const SectionProperties& section, const FluidCase& fluid) {
+    return fluid.inside == InsideOfPipe::fluid
+               ? fluid.density * (section.outer_area - section.metal_area)
+               : 0.0;
+}
+
+double fluid_displaced(const SectionProperties& section, const FluidCase& fluid) {
+    return fluid.density * std::numbers::pi * section.outer_radius * section.outer_radius;
 }
 
 double buoyed_weight(const SectionProperties& section, const std::optional<FluidCase>& fluid,
@@ -99,15 +137,6 @@ Scene build_scene(const Case& input) {
         } catch (const std::invalid_argument& error) {
             throw InputError({input.path.string()}, error.what());
         }
-        set_wall(scene);
-    }
-
-    const bool segment_inertia =
-        input.mesh.segment_inertia.value_or(input.run.integrator == IntegratorKind::leapfrog);
-    const double h = scene.mesh.length.front();
-    for (const SectionProperties& node : scene.mesh.node) {
-        scene.inertia.push_back(node.inertia + (segment_inertia ? node.mass * h * h / 12 : 0.0));
-        scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
     }
 
     const WellCrossSection mouth =
@@ -120,6 +149,18 @@ Scene build_scene(const Case& input) {
     scene.head_position += input.initial.offset;
     for (Eigen::Vector3d& position : scene.initial_nodes.position)
         position += input.initial.offset;
+
+    scene.lateral_mass = lateral_masses(scene);
+    if (scene.well) set_wall(scene);
+    const bool segment_inertia =
+        input.mesh.segment_inertia.value_or(input.run.integrator == IntegratorKind::leapfrog);
+    const double h = scene.mesh.length.front();
+    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
+        const SectionProperties& node = scene.mesh.node[k];
+        scene.inertia.push_back(node.inertia +
+                                (segment_inertia ? scene.lateral_mass[k] * h * h / 12 : 0.0));
+        scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
+    }
     return scene;
 }
 

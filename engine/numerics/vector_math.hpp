@@ -59,6 +59,19 @@ DRILLSTRAND_INLINE double log1p_nonnegative(double y) {
     return e * ln2_high + (2.0 * s * series + (lost + e * ln2_low));
 }
 
+/// exp(-x) for 0 <= x < 16, to 1e-11: Taylor's series of exp(-x / 256), squared eight times.
+DRILLSTRAND_INLINE double exp_of_minus(double x) {
+    const double y = x * (-1.0 / 256.0);
+    double power = 1.0 + y * (1.0 / 6.0);
+#pragma GCC unroll 5
+    for (int n = 5; n > 0; --n)
+        power = 1.0 + y * power * (1.0 / n);
+#pragma GCC unroll 8
+    for (int i = 0; i < 8; ++i)
+        power *= power;
+    return power;
+}
+
 /// atan(u) / u for 0 <= u <= 1, from u^2, to 4e-14: the Chebyshev series in u^2 of degree 15.
 DRILLSTRAND_INLINE double arctangent_ratio(double u2) {
     constexpr double coefficient[] = {

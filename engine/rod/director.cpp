@@ -63,7 +63,7 @@ DirectorModel::DirectorModel(const Scene& scene, Level its_level)
       kelvin_voigt(scene.damping.kelvin_voigt),
       down(scene.down),
       segments(static_cast<std::size_t>(scene.segments)) {
-    if (internal_damping > 0 || external_damping > 0) features.damping = Damping::paper;
+    if (scene_features.damping) features.damping = Damping::paper;
     if (kelvin_voigt > 0) features.damping = Damping::kelvin_voigt;
     for (const SectionProperties& segment : scene.mesh.segment)
         features.curved = features.curved || !segment.curvature.isZero(0);
@@ -181,7 +181,7 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
     const NodesIn b_node(rod, first + 1);
     const SegmentsOut out(segments, first);
     const double kelvin_voigt = model.kelvin_voigt;
-    const double internal_damping = model.internal_damping;
+    const DampingPair internal_damping = model.internal_damping;
 
     const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const double h = c.length[k];
@@ -249,8 +249,8 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
             const Triple g_rate =
                 combine(1.0, combine(ih, b_node.v[k], -ih, a_node.v[k]), -1.0, cross(mean, d));
             const Triple k_rate = combine(ih, wb, -ih, wa);
-            out.drag_force.set(k, scaled(internal_damping, g_rate));
-            out.drag_couple.set(k, scaled(internal_damping, k_rate));
+            out.drag_force.set(k, scaled(internal_damping.translation, g_rate));
+            out.drag_couple.set(k, scaled(internal_damping.rotation, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
                 const double g_along = dot(g_rate, m);
                 const double stretching = kelvin_voigt * c.axial[k] * g_along;
@@ -279,13 +279,14 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
 
 // ------------------------------------------------------------------ nodes
 
-/// What surrounds the nodes, as far as a kernel has to know.
-enum class Around { nothing, wall, wall_and_mud };
+/// What surrounds the nodes, as far as a kernel has to know. Mud drags as in creeping flow,
+/// streaming mud by its inertia as well.
+enum class Around { nothing, wall, mud, streaming_mud };
 
 /// Velocities and the well frame between the loops of a span in a well.
 struct Held {
     static constexpr std::size_t entries = most_blocks_at_once * block_size;
-    alignas(block_alignment) double line[18][entries];
+    alignas(block_alignment) double line[20][entries];
 
     DRILLSTRAND_INLINE Triples triples(std::size_t i) {
         return {line[i], line[i + 1], line[i + 2]};
@@ -294,7 +295,8 @@ struct Held {
 
 /// Named lines of what is held: the velocity and the spin after the rod's forces and the damping
 /// (`v`, `s`) and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity
-/// in it (`u`) and the eccentricity.
+/// in it (`u`), the eccentricity, and what a force across the well does to the velocity (`across`:
+/// kick over the mass that moves sideways).
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -306,9 +308,11 @@ struct HeldRows {
           u_r(held.line[14]),
           u_l(held.line[15]),
           u_t(held.line[16]),
-          eccentricity(held.line[17]) {}
+          eccentricity(held.line[17]),
+          across(held.line[18]),
+          fluid_mass(held.line[19]) {}
     Triples v, v_rod, r, l;
-    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity;
+    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass;
 };
 
 DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
@@ -316,7 +320,7 @@ DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
 }
 
 /// The forces of the rod on its nodes, and their motion.
-template <bool wall, Damping damping, bool curved>
+template <bool wall, bool heavy, Damping damping, bool curved>
 struct RodNodes {
     RodNodes(const DirectorModel& model, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
              const Table<SegmentRow>& segments, std::ptrdiff_t first, double kick_s, double drift_s)
@@ -335,7 +339,8 @@ struct RodNodes {
     NodesOut out;
     SegmentsIn after, before;  ///< the segments on the bit's and on the head's side
     Triple down;
-    double external_damping, kick, drift;
+    DampingPair external_damping;
+    double kick, drift;
 
     /// Directors follow angular velocities: t turned by dt Om, exactly of unit length.
     DRILLSTRAND_INLINE void turn(std::size_t k, const Triple& w) const {
@@ -368,12 +373,17 @@ struct RodNodes {
     /// Positions follow velocities after all forces: x += dt v. The work of damping and
     /// surroundings is theirs times the mean of the velocities of both half steps.
     DRILLSTRAND_INLINE NodeStep move(std::size_t k, const Triple& v, const Triple& v_rod, double s,
-                                     double s_rod) const {
+                                     double s_rod, const HeldRows& held) const {
         NodeStep done;
         if constexpr (wall || damping != Damping::none) {
-            const double work =
-                c.mass[k] * dot(combine(1.0, v, -1.0, v_rod), combine(0.5, in.v[k], 0.5, v)) +
-                c.polar[k] * (s - s_rod) * 0.5 * (in.s[k] + s);
+            const Triple change = combine(1.0, v, -1.0, v_rod);
+            const Triple mean = combine(0.5, in.v[k], 0.5, v);
+            double work =
+                c.mass[k] * dot(change, mean) + c.polar[k] * (s - s_rod) * 0.5 * (in.s[k] + s);
+            if constexpr (heavy) {
+                const Triple l = at(held.l, k);
+                work += held.fluid_mass[k] * (dot(change, mean) - dot(change, l) * dot(mean, l));
+            }
             done.outflow = -c.mobile_cell[k] * work;
         }
         done.faults = c.mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
@@ -448,9 +458,9 @@ struct RodNodes {
             v = combine(1.0, v, to_velocity, pulling);
             w = combine(1.0, w, to_turning, without(resisting, t));
             s += to_spin * twisting;
-            v = scaled(1.0 / (1.0 + to_velocity * external_damping), v);
-            w = scaled(1.0 / (1.0 + to_turning * external_damping), w);
-            s *= 1.0 / (1.0 + to_spin * external_damping);
+            v = scaled(1.0 / (1.0 + to_velocity * external_damping.translation), v);
+            w = scaled(1.0 / (1.0 + to_turning * external_damping.rotation), w);
+            s *= 1.0 / (1.0 + to_spin * external_damping.rotation);
             const double work =
                 c.transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, in.w[k], 0.5, w));
             done.outflow = -c.mobile_cell[k] * work;
@@ -463,7 +473,7 @@ struct RodNodes {
             held.s_rod[k] = s_rod;
             if constexpr (damping != Damping::none) held.v_rod.set(k, v_rod);
         } else {
-            const NodeStep moved = move(k, v, v_rod, s, s_rod);
+            const NodeStep moved = move(k, v, v_rod, s, s_rod, held);
             done.outflow += moved.outflow;
             done.faults += moved.faults;
         }
@@ -471,12 +481,14 @@ struct RodNodes {
     }
 };
 
-/// What walls and mud do to the held velocities of nodes in a well.
-template <FrictionLaw law>
+/// What walls and mud do to the held velocities of nodes in a well. Where it is `heavy`, fluid
+/// moves sideways with the pipe.
+template <bool heavy>
 struct WellNodes {
     WellNodes(const DirectorModel& model, Table<WallRow>& table, const NodeConstants& constants,
-              const HeldRows& held, std::ptrdiff_t first, double kick_s)
+              const NodesIn& nodes, const HeldRows& held, std::ptrdiff_t first, double kick_s)
         : c(constants),
+          in(nodes),
           wall(model.surroundings, table, first),
           h(held),
           kick(kick_s),
@@ -484,17 +496,20 @@ struct WellNodes {
           least_normal(model.surroundings.parameters().least_normal),
           viscosity(model.surroundings.parameters().viscosity),
           film(model.surroundings.parameters().film),
+          wet_in_contact(model.surroundings.parameters().contact_drag ? 1.0 : 0.0),
           eccentric_axial(model.surroundings.parameters().eccentric_axial_drag ? 1.0 : 0.0) {}
 
     NodeConstants c;
+    NodesIn in;
     WallRows wall;
     HeldRows h;
     double kick;
     FrictionParameters friction;
-    double least_normal, viscosity, film, eccentric_axial;
+    double least_normal, viscosity, film, wet_in_contact, eccentric_axial;
 
     DRILLSTRAND_INLINE Mobility mobility(std::size_t k) const {
-        return {kick * c.inverse_mass[k], kick * c.inverse_polar[k]};
+        const double along = kick * c.inverse_mass[k];
+        return {heavy ? h.across[k] : along, along, kick * c.inverse_polar[k]};
     }
 
     /// Where the node is in the well.
@@ -502,9 +517,11 @@ struct WellNodes {
         double leaves, touches, touched, impact;
     };
     /// Finds its place, and its velocity along the directions of the well.
-    DRILLSTRAND_INLINE Place surround(std::size_t k, const Triple& x) const {
-        const WellFrame frame = well_frame(x, wall.arc(k));
+    template <bool damped>
+    DRILLSTRAND_INLINE Place surround(std::size_t k) const {
+        const WellFrame frame = well_frame(in.x[k], wall.arc(k));
         const double dr = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
+        if constexpr (heavy) take_fluid_along<damped>(k, frame);
         const Triple v = at(h.v, k);
         Place place;
         place.leaves = foot_leaves(frame, wall.end_cosine[k], wall.reach[k]) ? 1.0 : 0.0;
@@ -522,45 +539,92 @@ struct WellNodes {
         return place;
     }
 
+    /// Sideways the forces until now moved the fluid too: of the change of velocity that the pipe
+    /// alone would have had, it has the part m / M, M = m + fluid. Where M changes with the place,
+    /// the fluid exerts v^2 grad M / 2 - v dM/dt, here at the mean of the velocities before and
+    /// after the other forces.
+    template <bool damped>
+    DRILLSTRAND_INLINE void take_fluid_along(std::size_t k, const WellFrame& frame) const {
+        const AddedMass annulus = wall.annulus_mass(k, frame.eccentricity, film);
+        const double fluid = wall.inside[k] + annulus.coefficient;
+        const double inverse = 1.0 / (c.mass[k] + fluid);
+        const double kept = fluid * inverse;
+        const Triple before = in.v[k];
+        const auto slowed = [&](const Triple& v) {
+            const Triple change = combine(1.0, v, -1.0, before);
+            const Triple across = combine(1.0, change, -dot(change, frame.l), frame.l);
+            return combine(1.0, v, -kept, across);
+        };
+        const Triple v_rod = slowed(damped ? at(h.v_rod, k) : at(h.v, k));
+        const double v_r = 0.5 * (dot(before, frame.r) + dot(v_rod, frame.r));
+        const double v_t = 0.5 * (dot(before, frame.t) + dot(v_rod, frame.t));
+        const double rate = kick * annulus.slope * inverse;
+        // bounded, should a node be faster than the fluid can go out of its way
+        const double gain = rate / (1.0 + std::abs(rate) * std::sqrt(v_r * v_r + v_t * v_t));
+        const double by_r = 0.5 * gain * (v_r * v_r - v_t * v_t);
+        const double by_t = gain * v_r * v_t;
+        const Triple push = combine(by_r, frame.r, by_t, frame.t);
+        if constexpr (damped) {
+            h.v.set(k, combine(1.0, slowed(at(h.v, k)), 1.0, push));
+            h.v_rod.set(k, combine(1.0, v_rod, 1.0, push));
+        } else {
+            h.v.set(k, combine(1.0, v_rod, 1.0, push));
+        }
+        h.across[k] = kick * inverse;
+        h.fluid_mass[k] = fluid;
+        wall.fluid_mass[k] = fluid;
+    }
+
     DRILLSTRAND_INLINE void press(std::size_t k) const {
         const Mobility m = mobility(k);
         const double approach = h.u_r[k] - circling_speed(h.eccentricity[k], h.u_t[k], kick);
         const double normal = implicit_normal_force(wall.depth[k], approach, wall.stiffness[k],
                                                     wall.dashpot[k], least_normal, kick, m);
         wall.normal[k] = normal;
-        h.u_r[k] += m.translation * normal;
+        h.u_r[k] += m.across * normal;
     }
 
-    /// 1 where the node began to slide.
+    /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
+    /// that of a node that sticks is then none, whatever pulls at it.
+    template <FrictionLaw law>
     DRILLSTRAND_INLINE double rub(std::size_t k) const {
         const Mobility m = mobility(k);
         const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
         const double dr = wall.depth[k];
         const double normal = wall.normal[k];
         const FrictionSpring spring = wall.spring(k);
+        const double around = dot(in.v[k], cross(at(h.r, k), at(h.l, k)));
+        const double rolled = kick * rolling_speed(around, h.eccentricity[k], wall.hole[k]);
         const FrictionStep done =
             law == FrictionLaw::paper
-                ? paper_step(spring, u, wall.stiffness[k] * dr, dr, wall.pipe[k], kick, m, friction)
-                : coulomb_step(spring, u, normal, dr, wall.pipe[k], kick, m, friction);
+                ? paper_step(spring, u, wall.stiffness[k] * dr, dr, rolled, wall.pipe[k], kick, m,
+                             friction)
+                : coulomb_step(spring, u, normal, dr, rolled, wall.pipe[k], kick, m, friction);
         const double slip = done.spring.sliding > wall.sliding[k] ? 1.0 : 0.0;
         wall.elongation_axial[k] = done.spring.elongation.axial;
         wall.elongation_azimuthal[k] = done.spring.elongation.azimuthal;
         wall.sliding[k] = done.spring.sliding;
-        h.u_l[k] = u.l + m.translation * done.force.axial;
-        h.u_t[k] = u.t + m.translation * done.force.azimuthal;
+        h.u_l[k] = u.l + m.along * done.force.axial;
+        h.u_t[k] = u.t + m.across * done.force.azimuthal;
         h.s[k] = u.spin + m.rotation * wall.pipe[k] * done.force.azimuthal;
         return slip;
     }
 
+    template <bool streaming>
     DRILLSTRAND_INLINE void wade(std::size_t k) const {
         const double eccentricity =
             drag_eccentricity(h.eccentricity[k], wall.pipe[k], wall.hole[k], film);
-        const DragCoefficients drag = drag_coefficients(eccentricity, wall.pipe[k], wall.hole[k]);
-        const double axial = eccentric_axial * drag.axial + wall.concentric_axial[k];
-        // nodes in contact get no fluid force (paper)
-        const WellVelocity after =
-            implicit_drag({h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]}, drag, axial,
-                          wall.depth[k] > 0.0 ? 0.0 : viscosity, mobility(k));
+        DragCoefficients drag = drag_coefficients(eccentricity, wall.pipe[k], wall.hole[k]);
+        drag.axial = eccentric_axial * drag.axial + wall.concentric_axial[k];
+        drag = scaled(drag, viscosity);
+        const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
+        if constexpr (streaming) {
+            drag = with_inertia(drag, wall.flow(k), wall.pipe[k], std::sqrt(u.r * u.r + u.t * u.t),
+                                u.l, u.spin);
+        }
+        drag =
+            around_wall(drag, h.eccentricity[k], wall.pipe[k], wall.hole[k], film, wet_in_contact);
+        const WellVelocity after = implicit_drag(u, drag, mobility(k));
         h.u_r[k] = after.r;
         h.u_l[k] = after.l;
         h.u_t[k] = after.t;
@@ -579,7 +643,7 @@ struct WellNodes {
     }
 };
 
-template <Around around, FrictionLaw law, Damping damping, bool curved>
+template <Around around, bool heavy, Damping damping, bool curved>
 DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Table<DirectorRow>& rod,
                                           Table<DirectorRow>& next,
                                           const Table<SegmentRow>& segments, Table<WallRow>& wall,
@@ -588,9 +652,11 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     const std::size_t count = span.entries();
     if (count == 0) return {};  // or the compiler would keep scalar loops for it
     constexpr bool in_well = around != Around::nothing;
+    constexpr bool damped = damping != Damping::none;
     Held scratch;
     const HeldRows held(scratch);
-    const RodNodes<in_well, damping, curved> nodes(model, rod, next, segments, first, kick, drift);
+    const RodNodes<in_well, heavy, damping, curved> nodes(model, rod, next, segments, first, kick,
+                                                          drift);
 
     // sums of counts are exact in any order, that of energies is not
     alignas(block_alignment) double outflow[most_blocks_at_once * block_size];
@@ -604,14 +670,14 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     if constexpr (!in_well) {
         return {ordered_sum(outflow, count), 0.0, 0.0, 0.0, faults};
     } else {
-        const WellNodes<law> well(model, wall, nodes.c, held, first, kick);
+        const WellNodes<heavy> well(model, wall, nodes.c, nodes.in, held, first, kick);
         double leavers = 0.0;
         double touching = 0.0;
         double touched = 0.0;
         double impacts = 0.0;
 #pragma omp simd reduction(+ : leavers, touching, touched, impacts)
         for (std::size_t k = 0; k < count; ++k) {
-            const auto place = well.surround(k, nodes.in.x[k]);
+            const auto place = well.template surround<damped>(k);
             leavers += place.leaves;
             touching += place.touches;
             touched += place.touched;
@@ -625,25 +691,32 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
                 well.press(k);
+            if (well.friction.law == FrictionLaw::paper) {
 #pragma omp simd reduction(+ : slips)
-            for (std::size_t k = 0; k < count; ++k)
-                slips += well.rub(k);
-        }
-
-        if constexpr (around == Around::wall_and_mud) {
-            if (touching < static_cast<double>(count)) {
-#pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
-                    well.wade(k);
+                    slips += well.template rub<FrictionLaw::paper>(k);
+            } else {
+#pragma omp simd reduction(+ : slips)
+                for (std::size_t k = 0; k < count; ++k)
+                    slips += well.template rub<FrictionLaw::coulomb>(k);
             }
         }
 
-        const Triples& v_rod = damping == Damping::none ? held.v : held.v_rod;
-        if (around == Around::wall_and_mud || contact) {
+        constexpr bool in_mud = around == Around::mud || around == Around::streaming_mud;
+        if constexpr (in_mud) {
+            if (well.wet_in_contact > 0.0 || touching < static_cast<double>(count)) {
+#pragma omp simd
+                for (std::size_t k = 0; k < count; ++k)
+                    well.template wade<around == Around::streaming_mud>(k);
+            }
+        }
+
+        const Triples& v_rod = damped ? held.v_rod : held.v;
+        if (in_mud || contact) {
 #pragma omp simd reduction(+ : faults)
             for (std::size_t k = 0; k < count; ++k) {
                 const NodeStep done =
-                    nodes.move(k, well.velocity(k), at(v_rod, k), held.s[k], held.s_rod[k]);
+                    nodes.move(k, well.velocity(k), at(v_rod, k), held.s[k], held.s_rod[k], held);
                 outflow[k] += done.outflow;
                 faults += done.faults;
             }
@@ -651,7 +724,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
 #pragma omp simd reduction(+ : faults)
             for (std::size_t k = 0; k < count; ++k) {
                 const NodeStep done =
-                    nodes.move(k, at(held.v, k), at(v_rod, k), held.s[k], held.s_rod[k]);
+                    nodes.move(k, at(held.v, k), at(v_rod, k), held.s[k], held.s_rod[k], held);
                 outflow[k] += done.outflow;
                 faults += done.faults;
             }
@@ -692,22 +765,26 @@ SegmentKernel segment_kernel(const DirectorModel& model) {
                          });
 }
 
-template <Around around, FrictionLaw law>
+template <Around around, bool heavy>
 NodeKernel node_kernel_around(const DirectorModel& model) {
     return with_features(
         model.features, [level = model.level](auto damping, auto curved) -> NodeKernel {
-            return at_level<nodes_of_span<around, law, damping(), curved()>>(level);
+            return at_level<nodes_of_span<around, heavy, damping(), curved()>>(level);
         });
+}
+
+template <bool heavy>
+NodeKernel node_kernel_in_well(const DirectorModel& model) {
+    const SceneFeatures& scene = model.scene_features;
+    if (!scene.drag) return node_kernel_around<Around::wall, heavy>(model);
+    return scene.inertial_flow ? node_kernel_around<Around::streaming_mud, heavy>(model)
+                               : node_kernel_around<Around::mud, heavy>(model);
 }
 
 NodeKernel node_kernel(const DirectorModel& model) {
     const SceneFeatures& scene = model.scene_features;
-    if (!scene.well) return node_kernel_around<Around::nothing, FrictionLaw::coulomb>(model);
-    if (model.surroundings.parameters().friction.law == FrictionLaw::paper)
-        return scene.drag ? node_kernel_around<Around::wall_and_mud, FrictionLaw::paper>(model)
-                          : node_kernel_around<Around::wall, FrictionLaw::paper>(model);
-    return scene.drag ? node_kernel_around<Around::wall_and_mud, FrictionLaw::coulomb>(model)
-                      : node_kernel_around<Around::wall, FrictionLaw::coulomb>(model);
+    if (!scene.well) return node_kernel_around<Around::nothing, false>(model);
+    return scene.fluid_mass ? node_kernel_in_well<true>(model) : node_kernel_in_well<false>(model);
 }
 
 }  // namespace

@@ -102,9 +102,9 @@ struct DirectorModel {
     Level level;
     SceneFeatures scene_features;
     DirectorFeatures features;
-    double internal_damping = 0;  ///< D_in
-    double external_damping = 0;  ///< D_ex
-    double kelvin_voigt = 0;      ///< tau (s)
+    DampingPair internal_damping;  ///< D_in
+    DampingPair external_damping;  ///< D_ex
+    double kelvin_voigt = 0;       ///< tau (s)
     Eigen::Vector3d down{0, 0, 1};
     std::size_t segments = 0;
 

@@ -83,11 +83,16 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
 
 namespace {
 
-/// Kinetic energy of a node's cell (J).
-double kinetic_energy(const Scene& scene, const Table<DirectorRow>& rod, std::size_t node) {
+/// Kinetic energy of a node's cell (J), that of the fluid which moves sideways with it included.
+double kinetic_energy(const Scene& scene, const Table<DirectorRow>& rod, const Table<WallRow>& wall,
+                      std::size_t node) {
     const double s = rod.row(DirectorRow::spin)[node];
+    const Vector3d v = rod.vector(DirectorRow::velocity, node);
+    const double along = v.dot(rod.vector(DirectorRow::director, node));
+    const double speed2 = v.squaredNorm();
     return 0.5 * scene.mesh.cell[node] *
-           (scene.mesh.node[node].mass * rod.vector(DirectorRow::velocity, node).squaredNorm() +
+           (scene.mesh.node[node].mass * speed2 +
+            fluid_mass_at(wall, node) * (speed2 - along * along) +
             scene.inertia[node] * rod.vector(DirectorRow::angular_velocity, node).squaredNorm() +
             scene.mesh.node[node].polar_inertia * s * s);
 }
@@ -105,7 +110,7 @@ EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& st
     const Scene& scene = string.scene;
     const std::vector<Vector3d> position = positions(string, state.rod);
     EnergyOrigin origin;
-    if (string.head.is_driven()) origin.head = kinetic_energy(scene, state.rod, 0);
+    if (string.head.is_driven()) origin.head = kinetic_energy(scene, state.rod, state.wall, 0);
     origin.potential = potential_energy(scene, position);
     origin.springs =
         contact_with(scene, string.model.surroundings, state.wall, position).spring_energy;
@@ -140,12 +145,12 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
 
     EnergyAccount& energy = record.energy;
     for (std::size_t k = 0; k <= last; ++k)
-        energy.kinetic += kinetic_energy(scene, at.rod, k);
+        energy.kinetic += kinetic_energy(scene, at.rod, at.wall, k);
     energy.elastic = elastic_energy(scene, at.stress);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
-        energy.work += kinetic_energy(scene, at.rod, 0) - state.origin.head;
+        energy.work += kinetic_energy(scene, at.rod, at.wall, 0) - state.origin.head;
     account_for(record, contact_with(scene, string.model.surroundings, at.wall, position),
                 state.accounts, state.origin);
     record.impacts += std::llround(at.impacts);
@@ -163,11 +168,11 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
     profile.position = positions(string, at.rod);
     for (std::size_t k = 0; k <= string.model.segments; ++k) {
         const Eigen::Matrix3d to_body = at.frame[k].transpose();
-        const SectionProperties& section = scene.mesh.node[k];
         Vector6 momentum;
-        momentum << scene.inertia[k] * (to_body * at.rod.vector(DirectorRow::angular_velocity, k)),
-            section.mass * (to_body * at.rod.vector(DirectorRow::velocity, k));
-        momentum[0] = section.polar_inertia * at.rod.row(DirectorRow::spin)[k];
+        momentum << to_body * at.rod.vector(DirectorRow::angular_velocity, k),
+            to_body * at.rod.vector(DirectorRow::velocity, k);
+        momentum[0] = at.rod.row(DirectorRow::spin)[k];
+        momentum = momentum.cwiseProduct(inertia_of(scene, k, fluid_mass_at(at.wall, k)));
         profile.director.emplace_back(at.frame[k].col(0));
         profile.momentum.push_back(momentum);
     }

@@ -20,12 +20,17 @@ Vector6 stress_free_strain(const SectionProperties& section) {
     return u;
 }
 
-Vector6 inertia_of(const Scene& scene, std::size_t node) {
+Vector6 inertia_of(const Scene& scene, std::size_t node, double fluid_mass) {
     const SectionProperties& section = scene.mesh.node[node];
+    const double across = section.mass + fluid_mass;
     Vector6 inertia;
     inertia << section.polar_inertia, scene.inertia[node], scene.inertia[node], section.mass,
-        section.mass, section.mass;
+        across, across;
     return inertia;
+}
+
+double fluid_mass_at(const Table<WallRow>& wall, std::size_t node) {
+    return wall.blocks() > 0 ? wall.row(WallRow::fluid_mass)[node] : 0.0;
 }
 
 double elastic_energy(const Scene& scene, const std::vector<Vector6>& stress) {
@@ -37,9 +42,10 @@ double elastic_energy(const Scene& scene, const std::vector<Vector6>& stress) {
     return sum;
 }
 
-double kinetic_energy(const Scene& scene, std::size_t node, const Vector6& momentum) {
+double kinetic_energy(const Scene& scene, std::size_t node, double fluid_mass,
+                      const Vector6& momentum) {
     return 0.5 * scene.mesh.cell[node] *
-           momentum.dot(momentum.cwiseQuotient(inertia_of(scene, node)));
+           momentum.dot(momentum.cwiseQuotient(inertia_of(scene, node, fluid_mass)));
 }
 
 double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& position) {
@@ -93,6 +99,7 @@ void report_wall(const Scene& scene, Profile& profile, const Surroundings& surro
         const NodeContact c = surroundings.contact(wall, k, profile.position[k]);
         profile.eccentricity.push_back(c.eccentricity);
         profile.well_depth.push_back(c.well_depth);
+        profile.fluid_mass.push_back(fluid_mass_at(wall, k));
         profile.contact_force.push_back(c.force);
         profile.normal_force.push_back(std::max(c.normal_force, 0.0));
     }

@@ -14,13 +14,17 @@ namespace drillstrand {
 /// A = diag(GJ, EI, EI, EA, kGA, kGA), and Ubar = (twist, bending 1, bending 2, 1, 0, 0).
 Vector6 stiffness_of(const SectionProperties& section);
 Vector6 stress_free_strain(const SectionProperties& section);
-/// M = diag(rho Ip, rho I, rho I, m, m, m) of a node.
-Vector6 inertia_of(const Scene& scene, std::size_t node);
+/// M = diag(rho Ip, rho I, rho I, m, m + f, m + f) of a node, f that of the fluid which moves
+/// sideways with it (kg/m).
+Vector6 inertia_of(const Scene& scene, std::size_t node, double fluid_mass);
+/// f at a node.
+double fluid_mass_at(const Table<WallRow>& wall, std::size_t node);
 
 /// Strain energy of stresses of all segments (J).
 double elastic_energy(const Scene& scene, const std::vector<Vector6>& stress);
 /// Kinetic energy of a node's cell (J), of its momentum per length in body axes.
-double kinetic_energy(const Scene& scene, std::size_t node, const Vector6& momentum);
+double kinetic_energy(const Scene& scene, std::size_t node, double fluid_mass,
+                      const Vector6& momentum);
 /// Energy of the weight of all nodes (J).
 double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& position);
 

@@ -62,6 +62,7 @@ void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const P
     const NodeStiffness k = node_stiffness(scene.mesh, node);
     const SectionProperties& section = scene.mesh.node[node];
     const double inertia = scene.inertia[node];
+    const double sideways = scene.lateral_mass[node];
     const auto offer = [&](double rate2, double moved, const char* process) {
         const double rate = std::sqrt(rate2);
         tightest.offer(rate, product(rate, moved * k.shortest), process);
@@ -75,11 +76,11 @@ void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const P
     const auto segments = static_cast<double>(scene.segments);
     const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
     const double turning = k.shear * k.length * k.length / inertia;
-    const double zigzag = 4 * k.shear / section.mass;
+    const double zigzag = 4 * k.shear / sideways;
     const double both = turning + zigzag;
     const double swing = both - (1 - 1 / segments) * turning * zigzag / both;
     offer(at_end ? swing : turning, inertia, "rotation of the cross sections against shear");
-    offer(zigzag + 4 * k.bending / inertia, std::min(section.mass, inertia),
+    offer(zigzag + 4 * k.bending / inertia, std::min(sideways, inertia),
           "zigzags of neighbouring nodes");
 }
 
@@ -92,9 +93,11 @@ StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
         if (leapfrog) {
             // Kelvin-Voigt damping and D_in act with the velocities of the last half step; the
             // latter slows a zigzag at the rate 2 D_in / (inertia of a segment)
+            const double internal =
+                std::max(scene.damping.internal.translation, scene.damping.internal.rotation);
             offer_rod(tightest, scene, node, [&](double rate, double moved) {
-                const double ratio = 0.5 * scene.damping.kelvin_voigt * rate +
-                                     scene.damping.internal / (moved * rate);
+                const double ratio =
+                    0.5 * scene.damping.kelvin_voigt * rate + internal / (moved * rate);
                 return leapfrog_oscillation * (std::sqrt(1 + ratio * ratio) - ratio);
             });
             continue;
@@ -105,12 +108,12 @@ StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
             return decay > 1 ? dormand_prince_decay / decay : dormand_prince_oscillation;
         });
         if (!scene.features.well) continue;
-        const double mass = scene.mesh.node[node].mass;
+        const double mass = scene.lateral_mass[node];
         tightest.offer(std::sqrt(scene.normal_stiffness[node] / mass), dormand_prince_oscillation,
                        "contact springs");
         tightest.offer(scene.normal_damping[node] / mass, dormand_prince_decay, "contact dashpots");
-        tightest.offer(std::sqrt(scene.contact.tangential_stiffness / mass), leapfrog_oscillation,
-                       "friction springs");
+        tightest.offer(std::sqrt(scene.contact.tangential_stiffness / scene.mesh.node[node].mass),
+                       leapfrog_oscillation, "friction springs");
     }
     return tightest.bound();
 }

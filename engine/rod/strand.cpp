@@ -16,7 +16,7 @@ StrandConstants::StrandConstants(const Scene& scene)
     // nothing by zero.
     for (const Row unit :
          {torsion_compliance, bending_compliance, axial_compliance, shear_compliance, inverse_cell,
-          inverse_mass, inverse_polar, inverse_transverse}) {
+          mass, inverse_mass, inverse_polar, inverse_transverse}) {
         table_.fill(unit, 1.0);
     }
     const StringMesh& mesh = scene.mesh;
@@ -43,6 +43,7 @@ StrandConstants::StrandConstants(const Scene& scene)
         const auto set = [&](Row row, double value) { table_.row(row)[k] = value; };
         set(inverse_cell, 1 / mesh.cell[k]);
         set(mobile_cell, mesh.cell[k]);
+        set(mass, s.mass);
         set(inverse_mass, 1 / s.mass);
         set(inverse_polar, 1 / s.polar_inertia);
         set(inverse_transverse, 1 / scene.inertia[k]);
@@ -123,19 +124,34 @@ struct NodeConstants {
     NodeConstants(const Constants& c, std::ptrdiff_t first)
         : inverse_cell(c.row(Constants::inverse_cell) + first),
           mobile_cell(c.row(Constants::mobile_cell) + first),
+          mass(c.row(Constants::mass) + first),
           inverse_mass(c.row(Constants::inverse_mass) + first),
           inverse_polar(c.row(Constants::inverse_polar) + first),
           inverse_transverse(c.row(Constants::inverse_transverse) + first),
           weight(c.row(Constants::weight) + first) {}
-    const double *inverse_cell, *mobile_cell, *inverse_mass, *inverse_polar, *inverse_transverse,
-        *weight;
+    const double *inverse_cell, *mobile_cell, *mass, *inverse_mass, *inverse_polar,
+        *inverse_transverse, *weight;
 };
+
+/// Linear velocity of a node in body axes, M^-1 p: sideways (d1, d2) the fluid goes along.
+template <bool heavy>
+DRILLSTRAND_INLINE Triple linear_velocity(const Triple& p, double mass, double inverse_mass,
+                                          const double* fluid_mass, std::size_t k) {
+    if constexpr (heavy) {
+        const double across = 1.0 / (mass + fluid_mass[k]);
+        return {inverse_mass * p.x, across * p.y, across * p.z};
+    } else {
+        return scaled(inverse_mass, p);
+    }
+}
 
 /// Segments of one block: everything that vectorises.
 /// Returns the power of Kelvin-Voigt damping on the rod.
+template <bool heavy>
 DRILLSTRAND_KERNEL double segments_of_block(const StrandModel& model, const Table<StrandRow>& state,
                                             Table<StrandRow>& rate, Table<Work>& work,
-                                            std::size_t block, double (*step)[block_size]) {
+                                            const Table<WallRow>& wall, std::size_t block,
+                                            double (*step)[block_size]) {
     const double kelvin_voigt = model.kelvin_voigt;
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(block * block_size);
     const StrandIn in(state, first);
@@ -145,6 +161,7 @@ DRILLSTRAND_KERNEL double segments_of_block(const StrandModel& model, const Tabl
     const WrenchRows<Triples> on_last(work, Work::wrench_on_last, first);
     const SegmentConstants c(model.constants, first);
     const NodeConstants node(model.constants, first);
+    const double* fluid_mass = heavy ? wall.row(WallRow::fluid_mass) + first : nullptr;
 
     const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         // strains U = A^-1 S + Ubar
@@ -161,16 +178,16 @@ DRILLSTRAND_KERNEL double segments_of_block(const StrandModel& model, const Tabl
         const Triple pi_b = next.pi[k];
         const Triple p_a = in.p[k];
         const Triple p_b = next.p[k];
-        const double im_a = node.inverse_mass[k];
-        const double im_b = node.inverse_mass[k + 1];
         const double ip_a = node.inverse_polar[k];
         const double ip_b = node.inverse_polar[k + 1];
         const double it_a = node.inverse_transverse[k];
         const double it_b = node.inverse_transverse[k + 1];
         const Triple w_a = {ip_a * pi_a.x, it_a * pi_a.y, it_a * pi_a.z};
         const Triple w_b = {ip_b * pi_b.x, it_b * pi_b.y, it_b * pi_b.z};
-        const Triple v_a = {im_a * p_a.x, im_a * p_a.y, im_a * p_a.z};
-        const Triple v_b = {im_b * p_b.x, im_b * p_b.y, im_b * p_b.z};
+        const Triple v_a =
+            linear_velocity<heavy>(p_a, node.mass[k], node.inverse_mass[k], fluid_mass, k);
+        const Triple v_b = linear_velocity<heavy>(p_b, node.mass[k + 1], node.inverse_mass[k + 1],
+                                                  fluid_mass, k + 1);
         const Triple w = combine(0.5, w_a, 0.5, w_b);
         const Triple v = combine(0.5, v_a, 0.5, v_b);
 
@@ -274,7 +291,7 @@ DRILLSTRAND_KERNEL void chain_segments_of_block(const double (*step)[block_size]
 }
 
 /// Nodes of one block. Features are known at compile time: what is off is not compiled in.
-template <bool in_well, bool with_drag, bool with_damping>
+template <bool in_well, bool with_drag, bool heavy, bool with_damping>
 DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<StrandRow>& state,
                                          Table<StrandRow>& rate, const Table<Work>& work,
                                          const Pose& start, Table<WallRow>& wall,
@@ -295,8 +312,8 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
     const SegmentConstants c_before(model.constants, first - 1);
     const StrandIn rate_after(rate, first);
     const StrandIn rate_before(rate, first - 1);
-    const double internal_damping = model.internal_damping;
-    const double external_damping = model.external_damping;
+    const DampingPair internal_damping = model.internal_damping;
+    const DampingPair external_damping = model.external_damping;
 
     // pose of the block's first node; gravity in its frame
     const Eigen::Matrix3d& f = start.frame;
@@ -314,24 +331,26 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
     const double least_normal = around.least_normal;
     const double viscosity = around.viscosity;
     const double film = around.film;
+    const double wet_in_contact = around.contact_drag ? 1.0 : 0.0;
     const double eccentric_axial = around.eccentric_axial_drag ? 1.0 : 0.0;
 
     const auto node = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         double power = 0.0;
         const Triple pi = in.pi[k];
         const Triple p = in.p[k];
-        const double im = c.inverse_mass[k];
         const Triple w = {c.inverse_polar[k] * pi.x, c.inverse_transverse[k] * pi.y,
                           c.inverse_transverse[k] * pi.z};
-        const Triple v = {im * p.x, im * p.y, im * p.z};
+        const Triple v =
+            linear_velocity<heavy>(p, c.mass[k], c.inverse_mass[k], around_node.fluid_mass, k);
 
         // rod: S' + mean of (k x m + g x n, k x n), over the node's cell
         const double ic = c.inverse_cell[k];
         Triple pi_dot = combine(ic, after.moment[k], -ic, before.moment[k]);
         Triple p_dot = combine(ic, after.force[k], -ic, before.force[k]);
 
-        // inertia in body axes: Pi x w (p x v vanishes), p x w
+        // inertia in body axes: Pi x w + p x v (which vanishes where no fluid goes along), p x w
         pi_dot = combine(1.0, pi_dot, 1.0, cross(pi, w));
+        if constexpr (heavy) pi_dot = combine(1.0, pi_dot, 1.0, cross(p, v));
         p_dot = combine(1.0, p_dot, 1.0, cross(p, w));
 
         // weight
@@ -385,6 +404,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             around_node.normal[k] = normal;
             around_node.slip_axial[k] = slip.axial;
             around_node.slip_azimuthal[k] = slip.azimuthal;
+            around_node.rolling[k] = rolling_speed(v_t, frame.eccentricity, around_node.hole[k]);
 
             double f_r = normal;
             double f_l = rub.axial;
@@ -393,38 +413,54 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             if constexpr (with_drag) {
                 const double eccentricity = drag_eccentricity(
                     frame.eccentricity, around_node.pipe[k], around_node.hole[k], film);
-                const DragCoefficients drag =
+                DragCoefficients drag =
                     drag_coefficients(eccentricity, around_node.pipe[k], around_node.hole[k]);
-                const double axial = eccentric_axial * drag.axial + around_node.concentric_axial[k];
-                // nodes in contact get no fluid force (paper)
-                const double mu = dr > 0.0 ? 0.0 : viscosity;
-                f_r -= mu * drag.radial * v_r;
-                f_l -= mu * axial * v_l;
-                f_t -= mu * (drag.around * v_t + drag.cross * w_l);
-                c_l -= mu * (drag.cross * v_t + drag.spin * w_l);
+                drag.axial = eccentric_axial * drag.axial + around_node.concentric_axial[k];
+                drag = scaled(drag, viscosity);
+                // without inertia of the flow its coefficients are 0
+                drag = with_inertia(drag, around_node.flow(k), around_node.pipe[k],
+                                    std::sqrt(v_r * v_r + v_t * v_t), v_l, w_l);
+                drag = around_wall(drag, frame.eccentricity, around_node.pipe[k],
+                                   around_node.hole[k], film, wet_in_contact);
+                f_r -= drag.radial * v_r;
+                f_l -= drag.axial * v_l;
+                f_t -= drag.around * v_t + drag.cross * w_l;
+                c_l -= drag.cross * v_t + drag.spin * w_l;
+            }
+            if constexpr (heavy) {
+                // the fluid's v^2 grad M / 2; its v dM/dt is in the momentum
+                const AddedMass annulus = around_node.annulus_mass(k, frame.eccentricity, film);
+                f_r -= 0.5 * (v_r * v_r + v_t * v_t) * annulus.slope;
             }
             push = combine(1.0, combine(f_r, r, f_l, l), f_t, t);
             couple = combine(c_l, l, 0.0, l);
         }
         if constexpr (with_damping) {
             // D_ex V + D_in dU/dt, the strain rate as the mean of the neighbours over the cell
-            const double a = internal_damping * ic * c_after.half_length[k];
-            const double b = internal_damping * ic * c_before.half_length[k];
+            const double after_share = ic * c_after.half_length[k];
+            const double before_share = ic * c_before.half_length[k];
+            double a = internal_damping.rotation * after_share;
+            double b = internal_damping.rotation * before_share;
             const Triple m_a = rate_after.m[k];
             const Triple m_b = rate_before.m[k];
             const Triple n_a = rate_after.n[k];
             const Triple n_b = rate_before.n[k];
-            couple.x -= external_damping * w.x + a * c_after.torsion_compliance[k] * m_a.x +
+            couple.x -= external_damping.rotation * w.x +
+                        a * c_after.torsion_compliance[k] * m_a.x +
                         b * c_before.torsion_compliance[k] * m_b.x;
-            couple.y -= external_damping * w.y + a * c_after.bending_compliance[k] * m_a.y +
+            couple.y -= external_damping.rotation * w.y +
+                        a * c_after.bending_compliance[k] * m_a.y +
                         b * c_before.bending_compliance[k] * m_b.y;
-            couple.z -= external_damping * w.z + a * c_after.bending_compliance[k] * m_a.z +
+            couple.z -= external_damping.rotation * w.z +
+                        a * c_after.bending_compliance[k] * m_a.z +
                         b * c_before.bending_compliance[k] * m_b.z;
-            push.x -= external_damping * v.x + a * c_after.axial_compliance[k] * n_a.x +
+            a = internal_damping.translation * after_share;
+            b = internal_damping.translation * before_share;
+            push.x -= external_damping.translation * v.x + a * c_after.axial_compliance[k] * n_a.x +
                       b * c_before.axial_compliance[k] * n_b.x;
-            push.y -= external_damping * v.y + a * c_after.shear_compliance[k] * n_a.y +
+            push.y -= external_damping.translation * v.y + a * c_after.shear_compliance[k] * n_a.y +
                       b * c_before.shear_compliance[k] * n_b.y;
-            push.z -= external_damping * v.z + a * c_after.shear_compliance[k] * n_a.z +
+            push.z -= external_damping.translation * v.z + a * c_after.shear_compliance[k] * n_a.z +
                       b * c_before.shear_compliance[k] * n_b.z;
         }
         if constexpr (in_well || with_damping) {
@@ -447,12 +483,19 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
 using NodeKernel = double (*)(const StrandModel&, const Table<StrandRow>&, Table<StrandRow>&,
                               const Table<Work>&, const Pose&, Table<WallRow>&, std::size_t);
 
+template <bool heavy, bool with_damping>
+NodeKernel node_kernel_in_well(const StrandModel& model) {
+    return model.features.drag
+               ? at_level<nodes_of_block<true, true, heavy, with_damping>>(model.level)
+               : at_level<nodes_of_block<true, false, heavy, with_damping>>(model.level);
+}
+
 template <bool with_damping>
 NodeKernel node_kernel_damped(const StrandModel& model) {
     if (!model.features.well)
-        return at_level<nodes_of_block<false, false, with_damping>>(model.level);
-    return model.features.drag ? at_level<nodes_of_block<true, true, with_damping>>(model.level)
-                               : at_level<nodes_of_block<true, false, with_damping>>(model.level);
+        return at_level<nodes_of_block<false, false, false, with_damping>>(model.level);
+    return model.features.fluid_mass ? node_kernel_in_well<true, with_damping>(model)
+                                     : node_kernel_in_well<false, with_damping>(model);
 }
 
 NodeKernel node_kernel(const StrandModel& model) {
@@ -467,12 +510,15 @@ Eigen::Matrix3d rotation_of(const SegmentPose& step) {
 }  // namespace
 
 void segment_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
-                  StrandWorkspace& work, std::size_t begin, std::size_t end) {
-    const auto segments = at_level<segments_of_block>(model.level);
+                  StrandWorkspace& work, const Table<WallRow>& wall, std::size_t begin,
+                  std::size_t end) {
+    const auto segments = model.features.fluid_mass
+                              ? at_level<segments_of_block<true>>(model.level)
+                              : at_level<segments_of_block<false>>(model.level);
     const auto chain = at_level<chain_segments_of_block>(model.level);
     alignas(block_alignment) double step[12][block_size];
     for (std::size_t block = begin; block < end; ++block) {
-        work.segment_power[block] = segments(model, state, rate, work.table, block, step);
+        work.segment_power[block] = segments(model, state, rate, work.table, wall, block, step);
         chain(step, work.table, block, work.block_step[block]);
     }
 }

@@ -39,6 +39,7 @@ class StrandConstants {
         bend20,              // segment, stress-free k2 (1/m)
         inverse_cell,        // node, 1 / length of its cell (1/m)
         mobile_cell,         // node, length of its cell (m); 0 where its motion is prescribed
+        mass,                // node, m (kg/m)
         inverse_mass,        // node, 1 / m (m/kg)
         inverse_polar,       // node, 1 / (rho Ip)
         inverse_transverse,  // node, 1 / (rho I)
@@ -86,9 +87,9 @@ struct StrandModel {
     Surroundings surroundings;
     Level level;
     SceneFeatures features;
-    double internal_damping = 0;  ///< D_in
-    double external_damping = 0;  ///< D_ex
-    double kelvin_voigt = 0;      ///< tau (s)
+    DampingPair internal_damping;  ///< D_in
+    DampingPair external_damping;  ///< D_ex
+    double kelvin_voigt = 0;       ///< tau (s)
     Eigen::Vector3d down{0, 0, 1};
     std::size_t segments = 0;
 
@@ -96,9 +97,10 @@ struct StrandModel {
 };
 
 /// Stress rates of the segments of blocks begin..end-1, their wrenches and block-local poses.
-/// Momenta of all nodes must be up to date.
+/// Momenta of all nodes must be up to date. Of the wall it is the fluid that moves along.
 void segment_pass(const StrandModel& model, const Table<StrandRow>& state, Table<StrandRow>& rate,
-                  StrandWorkspace& work, std::size_t begin, std::size_t end);
+                  StrandWorkspace& work, const Table<WallRow>& wall, std::size_t begin,
+                  std::size_t end);
 
 /// Stress that the outside imposes at an end of the rod, in body axes: the wrench of a ghost
 /// segment of no length. To be set between the two passes.

@@ -61,8 +61,9 @@ Vector6 first_wrench(const StrandString& string, const StrandState& state) {
 
 }  // namespace
 
-Vector6 velocity_of(const Scene& scene, const Table<StrandRow>& rod, std::size_t node) {
-    return momentum_of(rod, node).cwiseQuotient(inertia_of(scene, node));
+Vector6 velocity_of(const Scene& scene, const Table<StrandRow>& rod, const Table<WallRow>& wall,
+                    std::size_t node) {
+    return momentum_of(rod, node).cwiseQuotient(inertia_of(scene, node, fluid_mass_at(wall, node)));
 }
 
 StrandState initial_state(const StrandString& string) {
@@ -129,11 +130,20 @@ void derive(const StrandString& string, StrandState& state) {
 
 // ------------------------------------------------------------------ what the run reports
 
+namespace {
+
+double kinetic_energy_of(const StrandString& string, const StrandState& state, std::size_t node) {
+    return kinetic_energy(string.scene, node, fluid_mass_at(state.wall, node),
+                          momentum_of(state.rod, node));
+}
+
+}  // namespace
+
 EnergyOrigin energy_origin(const StrandString& string, const StrandState& state) {
     const Scene& scene = string.scene;
     const std::vector<Vector3d> position = positions(poses(string, state));
     EnergyOrigin origin;
-    if (string.head.is_driven()) origin.head = kinetic_energy(scene, 0, momentum_of(state.rod, 0));
+    if (string.head.is_driven()) origin.head = kinetic_energy_of(string, state, 0);
     origin.potential = potential_energy(scene, position);
     origin.springs =
         contact_with(scene, string.model.surroundings, state.wall, position).spring_energy;
@@ -150,8 +160,8 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     record.bit_stress = stress_of(state.rod, last - 1);
     record.head_position = position.front();
     record.bit_position = position.back();
-    record.head_rotation_rate = velocity_of(scene, state.rod, 0)[0];
-    record.bit_rotation_rate = velocity_of(scene, state.rod, last)[0];
+    record.head_rotation_rate = velocity_of(scene, state.rod, state.wall, 0)[0];
+    record.bit_rotation_rate = velocity_of(scene, state.rod, state.wall, last)[0];
     const double time = state.clock.time;
     const Vector6 on_head = first_wrench(string, state);
     const Eigen::Matrix3d frame = string.head.pose(state.head, time).frame;
@@ -164,12 +174,12 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
 
     EnergyAccount& energy = record.energy;
     for (std::size_t k = 0; k <= last; ++k)
-        energy.kinetic += kinetic_energy(scene, k, momentum_of(state.rod, k));
+        energy.kinetic += kinetic_energy_of(string, state, k);
     energy.elastic = elastic_energy(scene, stresses(string, state.rod));
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
-        energy.work += kinetic_energy(scene, 0, momentum_of(state.rod, 0)) - state.origin.head;
+        energy.work += kinetic_energy_of(string, state, 0) - state.origin.head;
     account_for(record, contact_with(scene, string.model.surroundings, state.wall, position),
                 state.accounts, state.origin);
     return record;

@@ -71,8 +71,9 @@ struct StrandState {
 /// rates are yet to be evaluated.
 StrandState initial_state(const StrandString& string);
 
-/// Velocity of a node in body axes.
-Vector6 velocity_of(const Scene& scene, const Table<StrandRow>& rod, std::size_t node);
+/// Velocity of a node in body axes. Of the wall it is the fluid that moves along.
+Vector6 velocity_of(const Scene& scene, const Table<StrandRow>& rod, const Table<WallRow>& wall,
+                    std::size_t node);
 
 /// What the load at a bit in this pose depends on.
 BitMotion bit_motion(const StrandString& string, const Table<WallRow>& wall, const Pose& pose,

@@ -36,6 +36,7 @@ struct WellCase {
 
 enum class InsideOfPipe { fluid, empty };
 enum class AxialDrag { eccentric, concentric };
+enum class FlowRegime { inertial, laminar };
 
 struct FluidCase {
     double density = 0;    ///< kg/m3
@@ -44,7 +45,10 @@ struct FluidCase {
     bool drag = true;
     AxialDrag axial_drag = AxialDrag::eccentric;  ///< concentric: the paper
     double film = 0.01;  ///< the film never counts as thinner than this fraction of the clearance
-    bool added_mass = false;
+    FlowRegime regime = FlowRegime::inertial;  ///< laminar: the paper
+    double drag_coefficient = 1.0;             ///< of cross flow, inertial regime
+    bool contact_drag = true;  ///< a pipe that touches the wall is dragged too; false: the paper
+    bool added_mass = true;    ///< fluid moves sideways with the pipe; false: the paper
 };
 
 /// A stretch of pipe of one kind.
@@ -117,15 +121,24 @@ struct ContactCase {
     double normal_damping = 1e5;        ///< Pa s; unused where restitution is set
     std::optional<double> restitution;  ///< 0..1: sets the damping from each node's own mass
     double tangential_stiffness = 1e6;  ///< Pa
+    double rolling_creep = 0.005;       ///< at which friction of a rolling pipe saturates; 0: never
     FrictionCoefficients static_friction{0.6, 0.6};
     FrictionCoefficients dynamic_friction{0.42, 0.42};
     FrictionLaw law = FrictionLaw::coulomb;
     bool tension = false;  ///< true: the dashpot may pull (the paper)
 };
 
+/// Damping of translation and of rotation.
+struct DampingPair {
+    double translation = 0;
+    double rotation = 0;
+
+    [[nodiscard]] bool any() const { return translation > 0 || rotation > 0; }
+};
+
 struct DampingCase {
-    double internal = 0;      ///< the paper's D_in, N s/m on all six
-    double external = 0;      ///< the paper's D_ex
+    DampingPair internal;     ///< D_in: of rates of strain (N s/m, N m s)
+    DampingPair external;     ///< D_ex: of velocities (N s/m2, N s)
     double kelvin_voigt = 0;  ///< s: B = tau A
 };
 

@@ -51,13 +51,14 @@ struct SeriesRecord {
 
 /// Quantities of every node (N+1) and segment (N) at one time.
 struct Profile {
-    double time = 0;                             ///< s
-    std::vector<Eigen::Vector3d> position;       ///< nodes, m, NED
-    std::vector<Eigen::Vector3d> director;       ///< nodes, d3
-    std::vector<Vector6> momentum;               ///< nodes, per length, body axes (d3, d1, d2)
-    std::vector<Vector6> stress;                 ///< segments, body axes
-    std::vector<double> eccentricity;            ///< nodes, m; 0 without a well
-    std::vector<double> well_depth;              ///< nodes, m; 0 without a well
+    double time = 0;                        ///< s
+    std::vector<Eigen::Vector3d> position;  ///< nodes, m, NED
+    std::vector<Eigen::Vector3d> director;  ///< nodes, d3
+    std::vector<Vector6> momentum;          ///< nodes, per length, body axes (d3, d1, d2)
+    std::vector<Vector6> stress;            ///< segments, body axes
+    std::vector<double> eccentricity;       ///< nodes, m; 0 without a well
+    std::vector<double> well_depth;         ///< nodes, m; 0 without a well
+    std::vector<double> fluid_mass;  ///< nodes, kg/m: fluid that moves sideways with the pipe
     std::vector<Eigen::Vector3d> contact_force;  ///< nodes, N/m, space frame: wall on pipe
     std::vector<double> normal_force;            ///< nodes, N/m
     std::vector<double> side_force;              ///< nodes, N/m, see side_force.hpp

@@ -17,9 +17,11 @@ namespace drillstrand {
 
 /// Which physics the scene names; decided once, before the first step.
 struct SceneFeatures {
-    bool well = false;     ///< contact and friction
-    bool drag = false;     ///< annular fluid drag
-    bool damping = false;  ///< the paper's D_in or D_ex
+    bool well = false;           ///< contact and friction
+    bool drag = false;           ///< annular fluid drag
+    bool inertial_flow = false;  ///< of which the fluid's inertia is part
+    bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
+    bool damping = false;        ///< D_in or D_ex
 };
 
 /// Nodes of a string whose chords are as long as its segments and lie along the mean of the two
@@ -34,7 +36,10 @@ struct InitialNodes {
 struct Scene {
     int segments = 0;  ///< N
     StringMesh mesh;
-    std::vector<double> inertia;  ///< N+1, rho I, plus m h^2/12 with segment inertia (kg m)
+    /// N+1, mass that moves sideways: the pipe, the fluid in it, and the fluid around it as in the
+    /// middle of the hole (kg/m)
+    std::vector<double> lateral_mass;
+    std::vector<double> inertia;  ///< N+1, rho I, plus (lateral mass) h^2/12 with segment inertia
     std::vector<double> weight;   ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
     /// with the wall that it touches besides. Empty without a well.
@@ -67,6 +72,10 @@ Scene build_scene(const Case& input);
 /// Frame (d3, d1, d2 in the columns) with the given d3: d1 is east made normal to d3, or north
 /// where d3 is within 25 degrees of east or west; d2 = d3 x d1.
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3);
+
+/// Mass of the fluid in a pipe, and of that which it displaces, per length (kg/m).
+double fluid_inside(const SectionProperties& section, const FluidCase& fluid);
+double fluid_displaced(const SectionProperties& section, const FluidCase& fluid);
 
 /// Weight per length of a pipe less that of the fluid it displaces (N/m).
 double buoyed_weight(const SectionProperties& section, const std::optional<FluidCase>& fluid,

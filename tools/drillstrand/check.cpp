@@ -214,9 +214,15 @@ void print_loads(const Scene& scene) {
         line("dead couple", fmt::format("{:.4g} N m", largest(bit.dead_moment)));
     if (largest(bit.moment) > 0)
         line("follower couple", fmt::format("{:.4g} N m", largest(bit.moment)));
-    if (scene.features.damping)
-        line("damping", fmt::format("internal {:.3g} N s/m, external {:.3g}",
-                                    scene.damping.internal, scene.damping.external));
+    const DampingCase& damping = scene.damping;
+    if (damping.internal.any())
+        line("internal damping",
+             fmt::format("{:.3g} N s/m of stretch, {:.3g} N m s of bending",
+                         damping.internal.translation, damping.internal.rotation));
+    if (damping.external.any())
+        line("external damping",
+             fmt::format("{:.3g} N s/m2 of translation, {:.3g} N s of rotation",
+                         damping.external.translation, damping.external.rotation));
     if (scene.damping.kelvin_voigt > 0)
         line("material", fmt::format("Kelvin-Voigt damping, {:.4g} s times the rate of strain",
                                      scene.damping.kelvin_voigt));
