@@ -10,9 +10,15 @@ namespace drillstrand {
 
 namespace {
 
+/// Whether the string has an equilibrium that a run can start from.
+bool can_rest(const Case& input) {
+    return input.head.motion == HeadMotion::driven &&
+           input.run.integrator == IntegratorKind::leapfrog;
+}
+
 /// Throws InputError where a run cannot start from equilibrium.
 void check_initial_equilibrium(const Case& input, const toml::table& root) {
-    if (input.initial.state != InitialState::equilibrium) return;
+    if (input.initial.state != InitialState::equilibrium || can_rest(input)) return;
     const Value value(*root.at_path("initial.state").node(), "initial.state");
     if (input.head.motion == HeadMotion::free)
         value.fail("needs a head that holds the string; expected head.motion = \"driven\"");
@@ -61,7 +67,7 @@ Case read_case(const std::filesystem::path& path,
     result.bit = read_bit(root, result.string);
     result.contact = read_contact(root);
     result.damping = read_damping(root);
-    result.initial = read_initial(root);
+    result.initial = read_initial(root, result.well && can_rest(result));
     result.equilibrium = read_equilibrium(root);
     if (result.well) check_fit(*result.well, string, result.head);
     result.torque_drag = read_torque_drag(root, result.well, string);

@@ -174,7 +174,7 @@ DampingPair read_damping_pair(const Table& table, const std::string& both, const
     table.refuse_both(both, rotation);
     const double shared = table.quantity(both, damping_coefficient, 0.0, plausible::damping);
     return {table.quantity(translation, linear, shared, plausible::damping),
-            table.quantity(rotation, angular, shared, plausible::damping)};
+            table.quantity(rotation, angular, shared, plausible::damping), shared > 0};
 }
 
 }  // namespace

@@ -20,10 +20,14 @@ double read_tolerance(const Value& value, IntegratorKind integrator) {
 
 }  // namespace
 
-InitialCase read_initial(const Table& root) {
+InitialCase read_initial(const Table& root, bool can_rest) {
     const Table table =
         root.subtable("initial", {"state", "curvature", "offset", "penetration_limit"});
     InitialCase initial;
+    initial.by_default = !table.find("state");
+    // who shifts or bends the string wants it there
+    const bool placed = table.find("offset") || table.find("curvature");
+    if (can_rest && !placed) initial.state = InitialState::equilibrium;
     initial.state = table.choice<InitialState>("state", initial.state,
                                                {{"coaxial", InitialState::coaxial},
                                                 {"stress-free", InitialState::stress_free},

@@ -27,7 +27,9 @@ HeadCase read_head(const Table& root);
 BitCase read_bit(const Table& root, const StringCase& string);
 ContactCase read_contact(const Table& root);
 DampingCase read_damping(const Table& root);
-InitialCase read_initial(const Table& root);
+/// `can_rest`: whether an equilibrium can be found, so that a run starts from it unless told
+/// otherwise.
+InitialCase read_initial(const Table& root, bool can_rest);
 EquilibriumCase read_equilibrium(const Table& root);
 RunCase read_run(const Table& root);
 /// Needs the duration of the run, which bounds the number of records; 0: none.

@@ -1,6 +1,9 @@
 #include "drillstrand/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -89,6 +92,21 @@ std::vector<double> lateral_masses(const Scene& scene) {
     return masses;
 }
 
+/// The paper's one number damps rotation as much as translation, though the units differ.
+std::optional<std::string> note_on_braked_spin(const Scene& scene) {
+    const DampingPair& damping = scene.damping.external;
+    if (!damping.shared || damping.rotation == 0) return std::nullopt;
+    double rate = 0;
+    for (const double value : scene.head.rotation.values())
+        rate = std::max(rate, std::abs(value));
+    if (rate == 0) return std::nullopt;
+    const double length = scene.mesh.node_s.back();
+    return fmt::format(
+        "damping.external = {:.4g} brakes the rotation too, by up to {:.3g} N m of torque at the "
+        "head; damping.external_translation damps translation alone",
+        damping.rotation, damping.rotation * rate * length);
+}
+
 }  // namespace
 
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3) {
@@ -161,6 +179,7 @@ Scene build_scene(const Case& input) {
                                 (segment_inertia ? scene.lateral_mass[k] * h * h / 12 : 0.0));
         scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
     }
+    if (const auto note = note_on_braked_spin(scene)) scene.notes.push_back(*note);
     return scene;
 }
 

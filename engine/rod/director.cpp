@@ -286,7 +286,7 @@ enum class Around { nothing, wall, mud, streaming_mud };
 /// Velocities and the well frame between the loops of a span in a well.
 struct Held {
     static constexpr std::size_t entries = most_blocks_at_once * block_size;
-    alignas(block_alignment) double line[20][entries];
+    alignas(block_alignment) double line[22][entries];
 
     DRILLSTRAND_INLINE Triples triples(std::size_t i) {
         return {line[i], line[i + 1], line[i + 2]};
@@ -295,8 +295,9 @@ struct Held {
 
 /// Named lines of what is held: the velocity and the spin after the rod's forces and the damping
 /// (`v`, `s`) and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity
-/// in it (`u`), the eccentricity, and what a force across the well does to the velocity (`across`:
-/// kick over the mass that moves sideways).
+/// in it (`u`), the eccentricity, what a force across the well does to the velocity (`across`: kick
+/// over the mass that moves sideways), and for a node that came to the wall (`came`) the way that
+/// it rebounds besides the drift (`rebound`, m along r).
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -310,9 +311,11 @@ struct HeldRows {
           u_t(held.line[16]),
           eccentricity(held.line[17]),
           across(held.line[18]),
-          fluid_mass(held.line[19]) {}
+          fluid_mass(held.line[19]),
+          came(held.line[20]),
+          rebound(held.line[21]) {}
     Triples v, v_rod, r, l;
-    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass;
+    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came, *rebound;
 };
 
 DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
@@ -494,6 +497,7 @@ struct WellNodes {
           kick(kick_s),
           friction(model.surroundings.parameters().friction),
           least_normal(model.surroundings.parameters().least_normal),
+          restitution(model.surroundings.parameters().restitution),
           viscosity(model.surroundings.parameters().viscosity),
           film(model.surroundings.parameters().film),
           wet_in_contact(model.surroundings.parameters().contact_drag ? 1.0 : 0.0),
@@ -505,7 +509,7 @@ struct WellNodes {
     HeldRows h;
     double kick;
     FrictionParameters friction;
-    double least_normal, viscosity, film, wet_in_contact, eccentric_axial;
+    double least_normal, restitution, viscosity, film, wet_in_contact, eccentric_axial;
 
     DRILLSTRAND_INLINE Mobility mobility(std::size_t k) const {
         const double along = kick * c.inverse_mass[k];
@@ -531,6 +535,7 @@ struct WellNodes {
         wall.leaves[k] = place.leaves;
         wall.depth[k] = dr;
         h.eccentricity[k] = frame.eccentricity;
+        h.came[k] = place.impact;
         h.r.set(k, frame.r);
         h.l.set(k, frame.l);
         h.u_r[k] = dot(v, frame.r);
@@ -582,6 +587,27 @@ struct WellNodes {
                                                     wall.dashpot[k], least_normal, kick, m);
         wall.normal[k] = normal;
         h.u_r[k] += m.across * normal;
+    }
+
+    /// Impact with the restitution that the case asks for, in closed form: a collision may be over
+    /// sooner than a step can tell. A node that came to the wall with `speed` is sent back with e
+    /// times that speed, and from the instant of its touch-down on: the way that it went past the
+    /// wall it makes good besides the drift.
+    DRILLSTRAND_INLINE void rebound(std::size_t k, double drift) const {
+        const double across = mobility(k).across;
+        const double coming = -dot(in.v[k], at(h.r, k));
+        const double speed = coming > 0.0 ? coming : 0.0;
+        const double turned = (1.0 + restitution) * speed;
+        const bool bounces = h.came[k] * speed > 0.0;
+        const double normal = bounces ? turned / across : wall.normal[k];
+        h.u_r[k] += across * (normal - wall.normal[k]);
+        wall.normal[k] = normal;
+        const double past = wall.depth[k] < drift * speed ? wall.depth[k] : drift * speed;
+        h.rebound[k] = bounces ? (1.0 + restitution) * past : 0.0;
+    }
+    /// Moves a node by its rebound.
+    DRILLSTRAND_INLINE void make_good(std::size_t k, const Triples& position) const {
+        position.set(k, combine(1.0, at(position, k), h.rebound[k], at(h.r, k)));
     }
 
     /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
@@ -687,10 +713,16 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
         // pressing and rubbing in two loops: what waits for the one does not hold up the other
         double slips = 0.0;
         const bool contact = touching + touched > 0.0;
+        const bool bounces = well.restitution >= 0.0 && impacts > 0.0;
         if (contact) {
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
                 well.press(k);
+            if (bounces) {
+#pragma omp simd
+                for (std::size_t k = 0; k < count; ++k)
+                    well.rebound(k, drift);
+            }
             if (well.friction.law == FrictionLaw::paper) {
 #pragma omp simd reduction(+ : slips)
                 for (std::size_t k = 0; k < count; ++k)
@@ -728,6 +760,11 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
                 outflow[k] += done.outflow;
                 faults += done.faults;
             }
+        }
+        if (bounces) {
+#pragma omp simd
+            for (std::size_t k = 0; k < count; ++k)
+                well.make_good(k, nodes.out.x);
         }
         return {ordered_sum(outflow, count), impacts, slips, leavers, faults};
     }

@@ -23,7 +23,7 @@ double axial_travel_time(const StringMesh& mesh) {
 }  // namespace
 
 RunSummary::RunSummary(const Scene& scene)
-    : settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))) {}
+    : notes_(scene.notes), settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))) {}
 
 void RunSummary::add(const SeriesRecord& record) {
     audit_.add(record.energy);
@@ -39,7 +39,8 @@ void RunSummary::add(const SeriesRecord& record) {
 }
 
 double RunSummary::time_error_largest() const {
-    return time_errors_.empty() ? 0 : *std::max_element(time_errors_.begin(), time_errors_.end());
+    return time_errors_.empty() ? time_error_at_start_
+                                : *std::max_element(time_errors_.begin(), time_errors_.end());
 }
 
 double RunSummary::time_error_median() const {
@@ -51,7 +52,7 @@ double RunSummary::time_error_median() const {
 }
 
 std::vector<std::string> RunSummary::warnings() const {
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences = notes_;
     if (relative_penetration_ > 1)
         sentences.push_back(fmt::format(
             "the pipe lay up to {:.3g} m deep in the wall, {:.2g} times its clearance, at t = "

@@ -39,7 +39,16 @@ Scene starting_scene(const Case& input) {
     if (input.initial.state == InitialState::equilibrium) {
         EquilibriumOptions at_start;
         at_start.load_time = 0;
-        scene.initial_nodes = equilibrium_nodes(scene, at_start);
+        try {
+            scene.initial_nodes = equilibrium_nodes(scene, at_start);
+        } catch (const SimulationError& error) {
+            // who did not ask for rest shall have a run all the same
+            if (!input.initial.by_default) throw;
+            scene.notes.push_back(fmt::format(
+                "no equilibrium to start from ({}): the string starts on the axis of the well and "
+                "falls to its wall; initial.state = \"coaxial\" asks for that",
+                error.what()));
+        }
     }
     check_penetration(input, scene);
     return scene;

@@ -132,6 +132,7 @@ struct ContactCase {
 struct DampingPair {
     double translation = 0;
     double rotation = 0;
+    bool shared = false;  ///< one number for both, as in the paper
 
     [[nodiscard]] bool any() const { return translation > 0 || rotation > 0; }
 };
@@ -146,6 +147,8 @@ enum class InitialState { coaxial, stress_free, equilibrium };
 
 struct InitialCase {
     InitialState state = InitialState::coaxial;
+    /// The case does not name the state: at rest if rest is found, on the axis if not.
+    bool by_default = true;
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< added uniformly: twist, bend1, bend2
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< shift of the string (m)
     std::optional<double> penetration_limit;  ///< deepest in the wall (m); unset: the clearance

@@ -25,9 +25,10 @@ class RunSummary {
     /// Until when a string that is let go settles (s): axial waves go up and down it twice, and a
     /// second at least. Its time error is that of this fall and no measure of the rest of the run.
     [[nodiscard]] double settled_after() const { return settled_after_; }
-    /// Largest time error until then, and after; the median of the samples after (of all, where a
-    /// run ends before).
+    /// Largest time error until then; the largest and the median of the samples after (that of the
+    /// start, where a run ends before).
     [[nodiscard]] double time_error_at_start() const { return time_error_at_start_; }
+    [[nodiscard]] bool is_settled() const { return !time_errors_.empty(); }
     [[nodiscard]] double time_error_largest() const;
     [[nodiscard]] double time_error_median() const;
 
@@ -39,6 +40,7 @@ class RunSummary {
     void restore(const SavedState& saved);
 
   private:
+    std::vector<std::string> notes_;  ///< of the scene
     EnergyAudit audit_;
     double settled_after_;
     double penetration_ = 0;

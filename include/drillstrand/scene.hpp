@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "drillstrand/case.hpp"
@@ -62,6 +63,8 @@ struct Scene {
     std::vector<Vector6> initial_strain;
     /// The same shape as nodes joined by chords, for integrators whose segments are not arcs.
     InitialNodes initial_nodes;
+    /// What a reader of the results should know of the scene, a sentence each.
+    std::vector<std::string> notes;
 };
 
 /// Builds the scene of a case. Throws InputError where string, well and mesh do not go together.

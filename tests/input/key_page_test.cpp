@@ -27,6 +27,9 @@ density = 1000
 viscosity = 1e-3
 inside = "fluid"
 drag = true
+regime = "inertial"
+drag_coefficient = 1
+contact_drag = true
 axial_drag = "eccentric"
 film = 0.01
 added_mass = false
@@ -69,6 +72,7 @@ moment = [0, 0, 0]
 restitution = 0.5
 normal_stiffness = 1e7
 tangential_stiffness = 1e7
+rolling_creep = 0.005
 law = "coulomb"
 tension = false
 static_friction = 0.6
@@ -121,6 +125,11 @@ moment = [1, 0, 0]
 torque = 1
 [contact]
 normal_damping = 1
+[damping]
+internal_translation = 1
+internal_rotation = 1
+external_translation = 1
+external_rotation = 1
 [torque_drag]
 depths = [100, 200]
 )",

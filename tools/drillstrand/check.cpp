@@ -166,6 +166,23 @@ void print_fluid(const Scene& scene) {
                      scene.fluid->viscosity / unit_factor("cP", dimension::viscosity),
                      scene.fluid->inside == InsideOfPipe::fluid ? "also inside" : "not inside",
                      scene.features.drag ? "with drag" : "buoyancy only"));
+    if (scene.features.drag)
+        line("mud", fmt::format("{} drag{}",
+                                scene.features.inertial_flow
+                                    ? fmt::format("creeping and inertial, drag coefficient {:.3g}",
+                                                  scene.fluid->drag_coefficient)
+                                    : "creeping",
+                                scene.fluid->contact_drag ? ", also in contact" : ""));
+    if (scene.features.fluid_mass) {
+        double pipe = 0;
+        double sideways = 0;
+        for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
+            pipe += scene.mesh.node[k].mass * scene.mesh.cell[k];
+            sideways += scene.lateral_mass[k] * scene.mesh.cell[k];
+        }
+        line("moving mud",
+             fmt::format("sideways {:.3g} times the mass of the pipe moves", sideways / pipe));
+    }
 }
 
 void print_contact(const Scene& scene) {
@@ -185,6 +202,10 @@ void print_contact(const Scene& scene) {
                      contact.law == FrictionLaw::paper ? "paper" : "coulomb",
                      contact.static_friction.axial, contact.static_friction.azimuthal,
                      contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal));
+    line("rolling",
+         contact.rolling_creep > 0
+             ? fmt::format("friction saturates at a creep of {:.3g}", contact.rolling_creep)
+             : "springs stay in the contact");
 }
 
 void print_loads(const Scene& scene) {
@@ -311,6 +332,11 @@ void warn_of_cut_corners(const Case& input, const Scene& scene) {
             sagitta, clearance));
 }
 
+void warn_of_notes(const Scene& scene) {
+    for (const std::string& note : scene.notes)
+        warn(note);
+}
+
 void warn_of_paper_friction(const Scene& scene) {
     if (!scene.features.well || scene.contact.law != FrictionLaw::paper) return;
     warn(
@@ -348,6 +374,7 @@ int check(const CheckOptions& options) {
     print_loads(scene);
     print_mesh(scene);
     print_cost(input, scene);
+    warn_of_notes(scene);
     warn_of_coarse_mesh(scene);
     warn_of_cut_corners(input, scene);
     warn_of_paper_friction(scene);

@@ -138,6 +138,7 @@ class Recorder : public Observer {
         footer.time_error_median = summary_.time_error_median();
         footer.warnings = warnings();
         footer.statistics = integrator_.statistics();
+        footer.statistics.time_error = summary_.time_error_largest();
         return footer;
     }
 
@@ -154,14 +155,12 @@ class Recorder : public Observer {
 
 /// Of integrators that sample it: the fall from a start that is no equilibrium apart from the rest.
 std::string time_error_text(const RunSummary& summary) {
-    const double first = summary.time_error_at_start();
-    const double most = summary.time_error_largest();
-    if (first == 0 && most == 0) return "";
-    const std::string start =
-        fmt::format("{:.2g} % in the first {:.3g} s", 100 * first, summary.settled_after());
-    if (most == 0) return fmt::format("; time error of 16 steps {}", start);
-    return fmt::format("; time error of 16 steps {:.2g} % (median), {:.2g} % at most after {}",
-                       100 * summary.time_error_median(), 100 * most, start);
+    if (summary.time_error_largest() == 0) return "";
+    return fmt::format("; time error of 16 steps {:.2g} % (median), {:.2g} % at most{}",
+                       100 * summary.time_error_median(), 100 * summary.time_error_largest(),
+                       summary.is_settled()
+                           ? fmt::format(" after the first {:.3g} s", summary.settled_after())
+                           : "");
 }
 
 std::string wall_text(const Scene& scene, const RunSummary& summary) {
