@@ -167,6 +167,8 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     const std::size_t in = arc(wall, node);
     const WellFrame frame = well_frame(triple(position), numbers_of(well_->arcs()[in]));
     result.eccentricity = frame.eccentricity;
+    result.clearance = wall.row(WallRow::hole)[node] - row(pipe)[node];
+    result.around = vector(frame.t);
     result.well_depth = well_->project(position, in).measured_depth;
     const double dr =
         penetration(frame.eccentricity, wall.row(WallRow::hole)[node], row(pipe)[node]);
@@ -178,6 +180,7 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     result.penetration = dr;
     result.normal_force = wall.row(WallRow::normal)[node];
     const Tangential rub = friction_force(spring, result.normal_force, p);
+    result.axial_friction = rub.axial;
     result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
                    rub.azimuthal * vector(frame.t);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +

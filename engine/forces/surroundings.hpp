@@ -33,12 +33,15 @@ SurroundingsParameters surroundings_parameters(const Scene& scene);
 
 /// Contact of one node as reports show it.
 struct NodeContact {
-    double eccentricity = 0;                          ///< m
-    double well_depth = 0;                            ///< measured depth of its section (m)
-    double penetration = 0;                           ///< m; 0 in the open hole
-    double normal_force = 0;                          ///< N/m
-    double spring_energy = 0;                         ///< of normal and friction springs (J/m)
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< wall on pipe, space frame (N/m)
+    double eccentricity = 0;                           ///< m
+    double clearance = 0;                              ///< of the pipe in the hole (m)
+    double well_depth = 0;                             ///< measured depth of its section (m)
+    double penetration = 0;                            ///< m; 0 in the open hole
+    double normal_force = 0;                           ///< N/m
+    double axial_friction = 0;                         ///< wall on pipe, down the well (N/m)
+    double spring_energy = 0;                          ///< of normal and friction springs (J/m)
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< wall on pipe, space frame (N/m)
+    Eigen::Vector3d around = Eigen::Vector3d::Zero();  ///< unit vector t of the well frame
 };
 
 /// The well and the wall as all steps of a run see them. What changes from step to step is a table

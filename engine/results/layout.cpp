@@ -129,6 +129,7 @@ const std::vector<RecordDataset<ResultHeader>>& string_datasets() {
 const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
     using R = SeriesRecord;
     using E = EnergyAccount;
+    using W = Whirl;
     static const std::vector<RecordDataset<SeriesRecord>> table = {
         series<&R::time>("/series/time", "s", "time since the start of the run"),
         series<&R::head_stress>("/series/head_stress", stress_units,
@@ -157,6 +158,9 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
                                "torque of the rock on the bit, positive against a positive "
                                "rotation"),
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
+        series<&R::energy, &E::rotation>("/series/rotation_energy", "J",
+                                         "kinetic energy of the spin about d3, part of the kinetic "
+                                         "energy"),
         series<&R::energy, &E::elastic>("/series/elastic_energy", "J",
                                         "strain energy of the rod and of the contact springs"),
         series<&R::energy, &E::springs>("/series/spring_energy", "J",
@@ -180,6 +184,29 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::relative_penetration>("/series/relative_penetration", "1",
                                          "largest penetration of a node, divided by the clearance "
                                          "that the pipe has there"),
+        series<&R::penetration_depth>("/series/penetration_depth", "m",
+                                      "measured depth of the largest penetration, 0 without one"),
+        series<&R::helix_penetration>("/series/helix_penetration", "m",
+                                      "largest penetration that a helix of a node's compression "
+                                      "would have, at most ten clearances"),
+        series<&R::wall_drag>("/series/wall_drag", "N",
+                              "friction of the wall on the string along the well, positive down "
+                              "the well: what it adds to the hook load"),
+        series<&R::drag_depth>("/series/drag_depth", "m",
+                               "measured depth of the middle of that friction, 0 without any"),
+        series<&R::whirl, &W::forward>("/series/whirl_forward", "1",
+                                       "share of the string's length in forward whirl"),
+        series<&R::whirl, &W::backward>("/series/whirl_backward", "1",
+                                        "share of the string's length in backward whirl"),
+        series<&R::whirl, &W::rate>("/series/whirl_rate", "rad/s",
+                                    "rate around the well's axis, mean of what whirls, negative "
+                                    "against the rotation"),
+        series<&R::whirl, &W::rolling_rate>("/series/rolling_rate", "rad/s",
+                                            "rate around the well's axis at which what whirls "
+                                            "would roll along the wall without slip, mean"),
+        series<&R::whirl, &W::depth>("/series/whirl_depth", "m",
+                                     "measured depth of the middle of what whirls, 0 where nothing "
+                                     "does"),
         series<&R::contact_nodes>("/series/contact_nodes", "1", "number of nodes in contact"),
         series<&R::impacts>("/series/impacts", "1",
                             "nodes that came into contact since the start, counted at the ends of "

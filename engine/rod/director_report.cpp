@@ -113,7 +113,7 @@ EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& st
     if (string.head.is_driven()) origin.head = kinetic_energy(scene, state.rod, state.wall, 0);
     origin.potential = potential_energy(scene, position);
     origin.springs =
-        contact_with(scene, string.model.surroundings, state.wall, position).spring_energy;
+        spring_energy(scene, contacts_of(string.model.surroundings, state.wall, position));
     return origin;
 }
 
@@ -151,8 +151,11 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
         energy.work += kinetic_energy(scene, at.rod, at.wall, 0) - state.origin.head;
-    account_for(record, contact_with(scene, string.model.surroundings, at.wall, position),
-                state.accounts, state.origin);
+    NodeReport nodes{contacts_of(string.model.surroundings, at.wall, position), {}};
+    for (std::size_t k = 0; k <= last; ++k)
+        nodes.velocity.push_back(
+            {at.rod.vector(DirectorRow::velocity, k), at.rod.row(DirectorRow::spin)[k]});
+    account_for(record, scene, nodes, at.stress, state.accounts, state.origin);
     record.impacts += std::llround(at.impacts);
     record.slips += std::llround(at.slips);
     record.contact_changes = 2 * record.impacts - record.contact_nodes;

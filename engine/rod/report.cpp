@@ -55,28 +55,89 @@ double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& 
     return sum;
 }
 
-WallContact contact_with(const Scene& scene, const Surroundings& surroundings,
-                         const Table<WallRow>& wall, const std::vector<Eigen::Vector3d>& position) {
-    WallContact sum;
-    for (std::size_t k = 0; k < position.size(); ++k) {
-        const NodeContact c = surroundings.contact(wall, k, position[k]);
-        if (c.penetration <= 0) continue;
-        ++sum.nodes;
-        sum.deepest = std::max(sum.deepest, c.penetration);
-        sum.relative = std::max(sum.relative, c.penetration / (c.eccentricity - c.penetration));
-        sum.spring_energy += scene.mesh.cell[k] * c.spring_energy;
-    }
+std::vector<NodeContact> contacts_of(const Surroundings& surroundings, const Table<WallRow>& wall,
+                                     const std::vector<Eigen::Vector3d>& position) {
+    std::vector<NodeContact> contacts;
+    contacts.reserve(position.size());
+    for (std::size_t k = 0; k < position.size(); ++k)
+        contacts.push_back(surroundings.contact(wall, k, position[k]));
+    return contacts;
+}
+
+double spring_energy(const Scene& scene, const std::vector<NodeContact>& contacts) {
+    double sum = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+        sum += scene.mesh.cell[k] * contacts[k].spring_energy;
     return sum;
 }
 
-void account_for(SeriesRecord& record, const WallContact& contact, const Accounts& accounts,
+WallDrag wall_drag(const Scene& scene, const std::vector<double>& friction,
+                   const std::vector<double>& well_depth) {
+    WallDrag drag;
+    double size = 0;
+    double moment = 0;
+    for (std::size_t k = 0; k < friction.size(); ++k) {
+        const double force = scene.mesh.cell[k] * friction[k];
+        drag.force += force;
+        size += std::abs(force);
+        moment += std::abs(force) * well_depth[k];
+    }
+    if (size > 0) drag.depth = moment / size;
+    return drag;
+}
+
+double helix_penetration(const Scene& scene, const std::vector<NodeContact>& contacts,
+                         const std::vector<Vector6>& stress) {
+    constexpr double most = 10;  // clearances
+    if (!scene.well) return 0;
+    double deepest = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const Vector6& above = stress[k > 0 ? k - 1 : 0];
+        const Vector6& below = stress[std::min(k, stress.size() - 1)];
+        const double compression = -0.5 * (above[3] + below[3]);
+        if (compression <= 0) continue;
+        const double q = compression * compression /
+                         (4 * scene.mesh.node[k].bending_stiffness * scene.normal_stiffness[k]);
+        const double clearances = q < most / (1 + most) ? q / (1 - q) : most;
+        deepest = std::max(deepest, clearances * contacts[k].clearance);
+    }
+    return deepest;
+}
+
+namespace {
+
+void report_contact(SeriesRecord& record, const Scene& scene,
+                    const std::vector<NodeContact>& contacts) {
+    std::vector<double> friction;
+    std::vector<double> depth;
+    for (const NodeContact& c : contacts) {
+        friction.push_back(c.axial_friction);
+        depth.push_back(c.well_depth);
+        if (c.penetration <= 0) continue;
+        ++record.contact_nodes;
+        record.relative_penetration =
+            std::max(record.relative_penetration, c.penetration / c.clearance);
+        if (c.penetration <= record.max_penetration) continue;
+        record.max_penetration = c.penetration;
+        record.penetration_depth = c.well_depth;
+    }
+    const WallDrag drag = wall_drag(scene, friction, depth);
+    record.wall_drag = drag.force;
+    record.drag_depth = drag.depth;
+}
+
+}  // namespace
+
+void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nodes,
+                 const std::vector<Vector6>& stress, const Accounts& accounts,
                  const EnergyOrigin& origin) {
     EnergyAccount& energy = record.energy;
-    energy.springs = contact.spring_energy;
-    energy.elastic += contact.spring_energy;
+    energy.rotation = rotation_energy(scene, nodes.velocity);
+    energy.springs = spring_energy(scene, nodes.contact);
+    energy.elastic += energy.springs;
     energy.potential -= origin.potential;
     // what the surroundings took and the contact springs do not hold is gone
-    energy.dissipation = origin.springs - contact.spring_energy;
+    energy.dissipation = origin.springs - energy.springs;
     double impacts = 0;
     double slips = 0;
     for (std::size_t i = 0; i < accounts.outflow.size(); ++i) {
@@ -84,9 +145,9 @@ void account_for(SeriesRecord& record, const WallContact& contact, const Account
         impacts += accounts.impacts[i];
         slips += accounts.slips[i];
     }
-    record.max_penetration = contact.deepest;
-    record.relative_penetration = contact.relative;
-    record.contact_nodes = contact.nodes;
+    report_contact(record, scene, nodes.contact);
+    record.helix_penetration = helix_penetration(scene, nodes.contact, stress);
+    record.whirl = whirl_of(scene, nodes.contact, nodes.velocity);
     record.impacts = std::llround(impacts);
     record.slips = std::llround(slips);
     // who came and is not there has left

@@ -7,6 +7,7 @@
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
+#include "rod/whirl.hpp"
 #include "state/rows.hpp"
 
 namespace drillstrand {
@@ -28,19 +29,38 @@ double kinetic_energy(const Scene& scene, std::size_t node, double fluid_mass,
 /// Energy of the weight of all nodes (J).
 double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& position);
 
-/// The contact of all nodes with the wall.
-struct WallContact {
-    std::int64_t nodes = 0;
-    double deepest = 0;        ///< penetration (m)
-    double relative = 0;       ///< largest penetration divided by the clearance of its node
-    double spring_energy = 0;  ///< of normal and friction springs (J)
-};
-WallContact contact_with(const Scene& scene, const Surroundings& surroundings,
-                         const Table<WallRow>& wall, const std::vector<Eigen::Vector3d>& position);
+/// Contact of each node.
+std::vector<NodeContact> contacts_of(const Surroundings& surroundings, const Table<WallRow>& wall,
+                                     const std::vector<Eigen::Vector3d>& position);
 
-/// Completes a record that has the energies of the rod and of its weight by those of the wall, and
-/// by what happened until then.
-void account_for(SeriesRecord& record, const WallContact& contact, const Accounts& accounts,
+/// Energy of the normal and friction springs of all nodes (J).
+double spring_energy(const Scene& scene, const std::vector<NodeContact>& contacts);
+
+/// Friction of the wall on the whole string, down the well, and where it acts.
+struct WallDrag {
+    double force = 0;  ///< N
+    double depth = 0;  ///< measured depth, mean weighted by its size; 0 where there is none (m)
+};
+/// `friction` per length at each node (N/m).
+WallDrag wall_drag(const Scene& scene, const std::vector<double>& friction,
+                   const std::vector<double>& well_depth);
+
+/// The largest penetration that a helix of a node's own compression has: clearance q / (1 - q),
+/// q = F^2 / (4 EI k_el), ten clearances at most, deeper than which no run goes (m). 0 where
+/// nothing is compressed.
+double helix_penetration(const Scene& scene, const std::vector<NodeContact>& contacts,
+                         const std::vector<Vector6>& stress);
+
+/// What a record needs of each node, whatever the rod.
+struct NodeReport {
+    std::vector<NodeContact> contact;
+    std::vector<NodeVelocity> velocity;
+};
+
+/// Completes a record that has the energies of the rod and of its weight by the wall and the
+/// whirl of the nodes, and by what happened until then.
+void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nodes,
+                 const std::vector<Vector6>& stress, const Accounts& accounts,
                  const EnergyOrigin& origin);
 
 /// Adds the place of each node in the well and the force of the wall on it.

@@ -146,18 +146,20 @@ EnergyOrigin energy_origin(const StrandString& string, const StrandState& state)
     if (string.head.is_driven()) origin.head = kinetic_energy_of(string, state, 0);
     origin.potential = potential_energy(scene, position);
     origin.springs =
-        contact_with(scene, string.model.surroundings, state.wall, position).spring_energy;
+        spring_energy(scene, contacts_of(string.model.surroundings, state.wall, position));
     return origin;
 }
 
 SeriesRecord series_record(const StrandString& string, const StrandState& state) {
     const Scene& scene = string.scene;
     const std::size_t last = string.model.segments;
-    const std::vector<Vector3d> position = positions(poses(string, state));
+    const std::vector<Pose> pose = poses(string, state);
+    const std::vector<Vector3d> position = positions(pose);
+    const std::vector<Vector6> stress = stresses(string, state.rod);
     SeriesRecord record;
     record.time = state.clock.time;
-    record.head_stress = stress_of(state.rod, 0);
-    record.bit_stress = stress_of(state.rod, last - 1);
+    record.head_stress = stress.front();
+    record.bit_stress = stress.back();
     record.head_position = position.front();
     record.bit_position = position.back();
     record.head_rotation_rate = velocity_of(scene, state.rod, state.wall, 0)[0];
@@ -175,13 +177,17 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     EnergyAccount& energy = record.energy;
     for (std::size_t k = 0; k <= last; ++k)
         energy.kinetic += kinetic_energy_of(string, state, k);
-    energy.elastic = elastic_energy(scene, stresses(string, state.rod));
+    energy.elastic = elastic_energy(scene, stress);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
         energy.work += kinetic_energy_of(string, state, 0) - state.origin.head;
-    account_for(record, contact_with(scene, string.model.surroundings, state.wall, position),
-                state.accounts, state.origin);
+    NodeReport nodes{contacts_of(string.model.surroundings, state.wall, position), {}};
+    for (std::size_t k = 0; k <= last; ++k) {
+        const Vector6 velocity = velocity_of(scene, state.rod, state.wall, k);
+        nodes.velocity.push_back({pose[k].frame * velocity.tail<3>(), velocity[0]});
+    }
+    account_for(record, scene, nodes, stress, state.accounts, state.origin);
     return record;
 }
 

@@ -5,6 +5,7 @@
 
 #include "drillstrand/side_force.hpp"
 #include "rod/director_report.hpp"
+#include "rod/report.hpp"
 #include "statics/search.hpp"
 
 namespace drillstrand {
@@ -21,10 +22,16 @@ void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) 
     result.series = series_record(string, state);
     result.profile = profile_record(string, state);
     const std::vector<WallReport> walls = search.balance().walls(search.state());
+    std::vector<double> friction;
     for (std::size_t k = 0; k < walls.size(); ++k) {
         result.profile.contact_force[k] = walls[k].force;
         result.profile.normal_force[k] = walls[k].normal;
+        friction.push_back(walls[k].force.dot(string.model.surroundings.direction(
+            state.wall, k, result.nodes.position[k], result.profile.director[k])));
     }
+    const WallDrag drag = wall_drag(scene, friction, result.profile.well_depth);
+    result.series.wall_drag = drag.force;
+    result.series.drag_depth = drag.depth;
     result.profile.side_force = side_force(scene.mesh.node_s, result.profile.normal_force,
                                            scene.side_force_window, scene.mesh.node_s);
     double potential = 0;

@@ -13,6 +13,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// Energies in J; work and dissipation since the start of the run.
 struct EnergyAccount {
     double kinetic = 0;
+    double rotation = 0;     ///< of spin about d3, part of `kinetic`
     double elastic = 0;      ///< strain energy of the rod and of the contact springs
     double springs = 0;      ///< of the contact springs, part of `elastic`
     double potential = 0;    ///< of the buoyed weight; 0 at the start of the run
@@ -20,6 +21,16 @@ struct EnergyAccount {
     double dissipation = 0;  ///< in damping, fluid, contact dashpots and friction
 
     [[nodiscard]] double stored() const { return kinetic + elastic + potential; }
+};
+
+/// The part of the string that goes around the well's axis while it rotates, away from that axis
+/// (engine/rod/README.md, "Whirl").
+struct Whirl {
+    double forward = 0;   ///< share of the string's length that goes around with its rotation
+    double backward = 0;  ///< share that goes around against it
+    double rate = 0;      ///< rad/s around the well, mean of both; negative against the rotation
+    double rolling_rate = 0;  ///< rad/s, at which it would roll along the wall without slip
+    double depth = 0;         ///< m, measured depth of its middle
 };
 
 /// Quantities of the whole string at one time. Stresses in the order twist moment, bending 1,
@@ -41,6 +52,11 @@ struct SeriesRecord {
     double time_error = 0;            ///< relative, of the last sample; 0 with dormand_prince
     double max_penetration = 0;       ///< m, 0 without contact
     double relative_penetration = 0;  ///< largest penetration / clearance of a node
+    double penetration_depth = 0;     ///< m, measured depth of the largest penetration
+    double helix_penetration = 0;     ///< m, largest that a helix of a node's compression has
+    double wall_drag = 0;             ///< N, friction of the wall on the string, down the well
+    double drag_depth = 0;            ///< m, measured depth of the middle of that friction
+    Whirl whirl;
     std::int64_t contact_nodes = 0;
 
     // Events since the start of the run. A node that starts in contact has come into contact.
