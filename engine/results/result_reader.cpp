@@ -41,6 +41,7 @@ void read_attributes(const H5::Group& root, Result& result) {
     hdf5::read_attribute(root, "largest_penetration", footer.largest_penetration);
     hdf5::read_attribute(root, "time_error_median", footer.time_error_median);
     hdf5::read_attribute(root, "warnings", footer.warnings);
+    if (root.attrExists("findings")) hdf5::read_attribute(root, "findings", footer.findings);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <utility>
 
 #include "drillstrand/result_file.hpp"
@@ -21,6 +20,7 @@ namespace {
 /// that a kill in that moment would lose the chunk. It stays as it is, in its place.
 constexpr hsize_t samples_per_chunk = 512;
 constexpr auto stale_after = std::chrono::seconds(1);
+constexpr auto texts_stale_after = std::chrono::seconds(10);
 /// What waits in memory between flushes, and is lost when the disk turns out to be full.
 constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
 
@@ -272,7 +272,7 @@ struct OpenFile {
     H5::Group root;
     RecordTable<SeriesRecord> series;
     RecordTable<Profile> profiles;
-    std::optional<std::vector<std::string>> warnings_written;
+    std::chrono::steady_clock::time_point texts_written;  ///< when they last were
     bool closing = false;
 
     OpenFile(const fs::path& path, const ResultHeader& header)
@@ -320,10 +320,19 @@ struct OpenFile {
         hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
         hdf5::write_attribute(root, "largest_penetration", footer.largest_penetration);
         hdf5::write_attribute(root, "time_error_median", footer.time_error_median);
-        // texts take new space each time
-        if (!warnings_written || *warnings_written != footer.warnings)
-            hdf5::write_attribute(root, "warnings", footer.warnings);
-        warnings_written = footer.warnings;
+    }
+
+    void write_texts(const ResultFooter& footer) {
+        hdf5::write_attribute(root, "warnings", footer.warnings);
+        hdf5::write_attribute(root, "findings", footer.findings);
+    }
+
+    /// Not at every flush: texts take new space each time.
+    void write_stale_texts(const ResultFooter& footer) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - texts_written < texts_stale_after) return;
+        write_texts(footer);
+        texts_written = now;
     }
 
     /// The file's end goes first: tables that are cut off by a kill may name places up to it.
@@ -360,6 +369,7 @@ struct ResultWriter::Impl {
                 open_ = std::make_unique<OpenFile>(fresh.path(), header);
                 open_->write_status({});
                 open_->write_numbers({});
+                open_->write_texts({});
                 open_->flush(fresh.held());
             });
             fresh.take_name();
@@ -426,6 +436,7 @@ struct ResultWriter::Impl {
         write_pending();
         attempt([&] {
             open_->write_numbers(footer);
+            open_->write_stale_texts(footer);
             open_->flush(*held_);
         });
         held_->remember_size();
@@ -449,6 +460,7 @@ struct ResultWriter::Impl {
             attempt([&] {
                 if (failed_) open_->drop_times();
                 open_->write_numbers(footer);
+                open_->write_texts(footer);
                 open_->write_status(footer);
                 open_->flush(*held_);
                 written_records_ = {open_->series.written(), open_->profiles.written()};

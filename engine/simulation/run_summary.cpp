@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace drillstrand {
 
@@ -23,12 +24,20 @@ double axial_travel_time(const StringMesh& mesh) {
 }  // namespace
 
 RunSummary::RunSummary(const Scene& scene)
-    : notes_(scene.notes), settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))) {}
+    : notes_(scene.notes),
+      settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))),
+      last_part_(scene, settled_after_) {}
 
 void RunSummary::add(const SeriesRecord& record) {
     audit_.add(record.energy);
+    last_part_.add(record);
     if (record.relative_penetration > relative_penetration_) deepest_time_ = record.time;
-    penetration_ = std::max(penetration_, record.max_penetration);
+    if (record.max_penetration > penetration_) {
+        penetration_ = record.max_penetration;
+        penetration_time_ = record.time;
+        penetration_depth_ = record.penetration_depth;
+    }
+    helix_penetration_ = std::max(helix_penetration_, record.helix_penetration);
     relative_penetration_ = std::max(relative_penetration_, record.relative_penetration);
     if (record.time_error == latest_time_error_) return;
     latest_time_error_ = record.time_error;
@@ -51,8 +60,22 @@ double RunSummary::time_error_median() const {
     return *middle;
 }
 
+std::vector<std::string> RunSummary::findings() const {
+    std::vector<std::string> lines = last_part_.findings();
+    if (penetration_ > 0)
+        lines.push_back(
+            fmt::format("penetration: {:.3g} mm at most, at {:.4g} m of measured depth at t = "
+                        "{:.4g} s; {:.2g} of the "
+                        "clearance at most; a helix of the string's compression {:.2g} mm at most",
+                        1e3 * penetration_, penetration_depth_, penetration_time_,
+                        relative_penetration_, 1e3 * helix_penetration_));
+    return lines;
+}
+
 std::vector<std::string> RunSummary::warnings() const {
     std::vector<std::string> sentences = notes_;
+    for (std::string& sentence : last_part_.warnings())
+        sentences.push_back(std::move(sentence));
     if (relative_penetration_ > 1)
         sentences.push_back(fmt::format(
             "the pipe lay up to {:.3g} m deep in the wall, {:.2g} times its clearance, at t = "
@@ -71,8 +94,12 @@ std::vector<std::string> RunSummary::warnings() const {
 
 SavedState RunSummary::save() const {
     SavedState saved = audit_.save();
-    saved.push_back(
-        {"penetration", "m, 1, s", {penetration_, relative_penetration_, deepest_time_}});
+    for (SavedRow& row : last_part_.save())
+        saved.push_back(std::move(row));
+    saved.push_back({"penetration",
+                     "m, s, m, m, 1, s",
+                     {penetration_, penetration_time_, penetration_depth_, helix_penetration_,
+                      relative_penetration_, deepest_time_}});
     saved.push_back({"time_error", "1", {time_error_at_start_, latest_time_error_}});
     if (!time_errors_.empty()) saved.push_back({"time_errors", "1", time_errors_});
     return saved;
@@ -81,18 +108,24 @@ SavedState RunSummary::save() const {
 void RunSummary::restore(const SavedState& saved) {
     EnergyAudit audit;
     audit.restore(saved);
+    LastPart last_part = last_part_;
+    last_part.restore(saved);
     const auto values_of = [&](const char* name, std::size_t size) -> const std::vector<double>& {
         for (const SavedRow& row : saved) {
             if (row.name == name && row.values.size() == size) return row.values;
         }
         throw std::invalid_argument(fmt::format("the saved summary has no row {}", name));
     };
-    const std::vector<double>& depth = values_of("penetration", 3);
+    const std::vector<double>& depth = values_of("penetration", 6);
     const std::vector<double>& error = values_of("time_error", 2);
     audit_ = audit;
+    last_part_ = last_part;
     penetration_ = depth[0];
-    relative_penetration_ = depth[1];
-    deepest_time_ = depth[2];
+    penetration_time_ = depth[1];
+    penetration_depth_ = depth[2];
+    helix_penetration_ = depth[3];
+    relative_penetration_ = depth[4];
+    deepest_time_ = depth[5];
     time_error_at_start_ = error[0];
     latest_time_error_ = error[1];
     time_errors_.clear();

@@ -55,6 +55,7 @@ struct ResultFooter {
     double largest_penetration = 0;  ///< m
     double time_error_median = 0;    ///< RunSummary::time_error_median()
     std::vector<std::string> warnings;
+    std::vector<std::string> findings;  ///< RunSummary::findings()
     StepStatistics statistics;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drillstrand/energy_audit.hpp"
+#include "drillstrand/last_part.hpp"
 #include "drillstrand/records.hpp"
 #include "drillstrand/saved_state.hpp"
 #include "drillstrand/scene.hpp"
@@ -19,8 +20,6 @@ class RunSummary {
 
     [[nodiscard]] double energy_residual() const { return audit_.residual(); }
     [[nodiscard]] double largest_penetration() const { return penetration_; }  ///< m
-    /// Of a node, divided by the clearance that the pipe has there.
-    [[nodiscard]] double largest_relative_penetration() const { return relative_penetration_; }
 
     /// Until when a string that is let go settles (s): axial waves go up and down it twice, and a
     /// second at least. Its time error is that of this fall and no measure of the rest of the run.
@@ -32,6 +31,9 @@ class RunSummary {
     [[nodiscard]] double time_error_largest() const;
     [[nodiscard]] double time_error_median() const;
 
+    /// What the string did in its well: whirl and what the walls carry, of the last part of the
+    /// run, and the deepest penetration. A line each, "subject: what"; none without a well.
+    [[nodiscard]] std::vector<std::string> findings() const;
     /// A sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
@@ -43,9 +45,13 @@ class RunSummary {
     std::vector<std::string> notes_;  ///< of the scene
     EnergyAudit audit_;
     double settled_after_;
-    double penetration_ = 0;
-    double relative_penetration_ = 0;
-    double deepest_time_ = 0;  ///< s
+    LastPart last_part_;
+    double penetration_ = 0;        ///< m
+    double penetration_time_ = 0;   ///< s
+    double penetration_depth_ = 0;  ///< m
+    double helix_penetration_ = 0;  ///< m
+    double relative_penetration_ = 0;  ///< of a node, divided by the clearance that it has
+    double deepest_time_ = 0;  ///< of the relative one (s)
     double time_error_at_start_ = 0;
     double latest_time_error_ = 0;
     std::vector<double> time_errors_;  ///< samples after the start

@@ -115,12 +115,19 @@ test("every section of a run in a well is there, with the numbers of the result 
 
     const contact = (await plotted(page, "contact")).traces;
     assertClose(contact[0].y, scaled(well["series/max_penetration"], 1e3), "penetration");
-    assertClose(contact[1].y, well["series/contact_nodes"], "nodes in contact");
+    assertClose(contact[1].y, scaled(well["series/helix_penetration"], 1e3), "penetration of a helix");
+    assertClose(contact[2].y, well["series/contact_nodes"], "nodes in contact");
+    assertClose(contact[6].y, scaled(well["series/whirl_backward"], 100), "backward whirl");
+    assertClose(contact[7].y, scaled(well["series/whirl_forward"], 100), "forward whirl");
+    assertClose(contact[8].y, scaled(well["series/whirl_rate"], 1 / rpm), "rate of whirl");
+    assertClose(contact[9].y, scaled(well["series/rolling_rate"], 1 / rpm), "rolling rate");
+    assertClose(contact[10].y, scaled(well["series/wall_drag"], 1e-3), "friction along the well");
     assertClose((await plotted(page, "steps")).traces[0].y, scaled(well["series/step_size"], 1e3), "steps");
     const energy = (await plotted(page, "energy")).traces;
     assertClose(energy[0].y, scaled(well["series/kinetic_energy"], 1e-3), "kinetic energy");
-    assertClose(energy[3].y, scaled(well["series/work"], 1e-3), "work");
-    assert.equal(energy.length, 6);
+    assertClose(energy[3].y, scaled(well["series/rotation_energy"], 1e-3), "energy of spin");
+    assertClose(energy[4].y, scaled(well["series/work"], 1e-3), "work");
+    assert.equal(energy.length, 7);
 
     const spin = (await plotted(page, "map-spin")).traces[0];
     assertClose(spin.x, well["profiles/time"], "times of the map");
@@ -147,6 +154,11 @@ test("every section of a run in a well is there, with the numbers of the result 
     assert.equal(await page.locator("#value-hook-load").textContent(), printed(well["series/hook_load"][last] / 1e3, "kN"));
     assert.equal(await page.locator("#value-torque").textContent(), printed(well["series/surface_torque"][last] / 1e3, "kN m"));
     assert.equal(await page.locator("#value-bit-rotation").textContent(), printed(well["series/bit_rotation_rate"][last] / rpm, "rpm"));
+    assert.deepEqual(well.findings.map((finding) => finding.split(": ")[0]), ["whirl", "walls", "penetration"]);
+    for (const finding of well.findings) {
+      const [subject, ...what] = finding.split(": ");
+      assert.equal(await page.locator(`#value-finding-${subject}`).textContent(), what.join(": "));
+    }
     assert.equal(await page.locator("h1").textContent(), well.attributes.title);
     assert.equal(await page.locator(".status").textContent(), "complete");
   });

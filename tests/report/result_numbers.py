@@ -13,7 +13,8 @@ with h5py.File(sys.argv[1]) as file:
     numbers = {name: values.tolist() for name, values in group.items()}
     for name in ["head_stress", "bit_stress", "head_rotation_rate", "bit_rotation_rate", "hook_load", "surface_torque",
                  "weight_on_bit", "bit_torque", "step_size",
-                 "max_penetration", "contact_nodes", "kinetic_energy", "work"]:
+                 "max_penetration", "helix_penetration", "contact_nodes", "whirl_backward", "whirl_forward", "whirl_rate",
+                 "rolling_rate", "wall_drag", "kinetic_energy", "rotation_energy", "work"]:
         numbers["series/" + name] = series[name][...].tolist()
     numbers["profile_count"] = profiles["time"].shape[0]
     if profiles["time"].shape[0]:
@@ -29,6 +30,7 @@ with h5py.File(sys.argv[1]) as file:
             }
             for k in wanted
         }
+    numbers["findings"] = list(file.attrs["findings"])
     numbers["attributes"] = {name: file.attrs[name] for name in ["status", "energy_residual", "title"]}
 
 json.dump(numbers, sys.stdout)

@@ -88,6 +88,19 @@ TEST_P(Friction, SlidingPipeIsHeldByDynamicFrictionAlone) {
                 0.001 * 4.0233);
 }
 
+TEST_P(Friction, RecordsSayWhatTheWallTakesOfAPipeThatSlidesDown) {
+    const double inclination = 45 * degree;
+    Case input = short_pipe(integrator(), inclination);
+    lay_down(input, inclination);
+    const SeriesRecord end = run(input).last();
+    const double rub = 0.42 * pipe_length * pipe_mass * 9.81 * std::sin(inclination);
+    EXPECT_NEAR(end.wall_drag, -rub, 0.002 * rub);  // up the well
+    // the pipe's middle, as far down as it slid
+    const double slid = 0.5 * 9.81 * (std::cos(inclination) - 0.42 * std::sin(inclination));
+    EXPECT_NEAR(end.drag_depth, pipe_length / 2 + slid, 0.05);
+    EXPECT_EQ(end.whirl.forward + end.whirl.backward, 0);
+}
+
 TEST_P(Friction, AxialAndAzimuthalCoefficientsAreTheirOwn) {
     ContactCase contact;
     contact.static_friction = {0.2, 0.9};
@@ -190,6 +203,27 @@ TEST_P(Friction, PipeThatRollsAroundTheWellWhirlsAgainstItsSpin) {
     const Rolling rolling = rolled_around(run(pipe_carried_around(integrator(), contact)));
     EXPECT_NEAR(rolling.whirled, 2 * std::numbers::pi, 0.02);
     EXPECT_NEAR(rolling.whirled / rolling.spun, pure_rolling(contact), 0.005 * 1.75);  // -1.75
+}
+
+TEST_P(Friction, RecordsSayThatAPipeCarriedAroundRollsInBackwardWhirl) {
+    Case input = pipe_carried_around(integrator(), ContactCase());
+    input.output.interval = 0.1;
+    const test::Run result = run(input);
+    double rate = 0;
+    double rolling = 0;
+    for (std::size_t i = 31; i < result.series.size(); ++i) {  // a turn
+        const SeriesRecord& record = result.series[i];
+        EXPECT_NEAR(record.whirl.backward, 1, 1e-12);
+        EXPECT_EQ(record.whirl.forward, 0);
+        rate += 0.1 * record.whirl.rate;
+        rolling += 0.1 * record.whirl.rolling_rate;
+        const double turn = record.head_rotation_rate;  // one pipe, one rate
+        EXPECT_NEAR(record.energy.rotation, 0.5 * pipe_length * spin_inertia * turn * turn,
+                    1e-6 * record.energy.kinetic);
+        EXPECT_LT(record.energy.rotation, record.energy.kinetic);
+    }
+    EXPECT_NEAR(rate, -2 * std::numbers::pi, 0.02);
+    EXPECT_NEAR(rolling, rate, 0.005 * 2 * std::numbers::pi);
 }
 
 // --- F1: the pull of a string around a bend falls by exp(mu times the angle)

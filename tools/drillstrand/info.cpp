@@ -53,6 +53,10 @@ void print_run(const Result& result) {
             100 * footer.time_error_median, 100 * statistics.time_error);
     fmt::print("  energy residual  {:.2g} %\n", 100 * footer.energy_residual);
     fmt::print("  in the wall      {:.4g} m at most\n", footer.largest_penetration);
+    for (const std::string& finding : footer.findings) {
+        const FindingText text = finding_text(finding);
+        fmt::print("  {:<15}  {}\n", printable(text.subject), printable(text.what));
+    }
     for (const std::string& warning : footer.warnings)
         fmt::print("  warning          {}\n", printable(warning));
 }

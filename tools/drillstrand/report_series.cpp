@@ -41,10 +41,11 @@ void add_stress(const char* name, const Records& series, const Indices& picks,
 void add_energy(const Records& series, const Indices& picks, ArrayBlock& arrays) {
     using E = EnergyAccount;
     std::vector<double> values;
-    for (const auto part : {&E::kinetic, &E::elastic, &E::potential, &E::work, &E::dissipation})
+    for (const auto part :
+         {&E::kinetic, &E::elastic, &E::potential, &E::work, &E::dissipation, &E::rotation})
         for (const std::size_t k : picks)
             values.push_back(series[k].energy.*part);
-    arrays.add("series/energy", values, {5, picks.size()});
+    arrays.add("series/energy", values, {6, picks.size()});
     EnergyAudit audit;
     std::vector<double> residuals;
     for (const SeriesRecord& record : series) {
@@ -125,10 +126,19 @@ void add_series(const Result& result, ArrayBlock& arrays, std::vector<std::strin
     one("series/step_size", &R::step_size);
     one("series/time_error", &R::time_error);
     one("series/max_penetration", &R::max_penetration);
+    one("series/helix_penetration", &R::helix_penetration);
+    one("series/wall_drag", &R::wall_drag);
     one("series/contact_nodes", &R::contact_nodes);
     one("series/impacts", &R::impacts);
     one("series/contact_changes", &R::contact_changes);
     one("series/slips", &R::slips);
+    const auto of_whirl = [&](const char* name, auto member) {
+        add(name, series, picks, arrays, [&](const R& record) { return record.whirl.*member; });
+    };
+    of_whirl("series/whirl_forward", &Whirl::forward);
+    of_whirl("series/whirl_backward", &Whirl::backward);
+    of_whirl("series/whirl_rate", &Whirl::rate);
+    of_whirl("series/rolling_rate", &Whirl::rolling_rate);
     add_travel(result, picks, arrays);
     add_energy(series, picks, arrays);
     add_uniform(series, arrays);

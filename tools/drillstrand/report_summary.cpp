@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -237,6 +238,20 @@ Items load_items(const Result& result) {
     return items;
 }
 
+/// What the string did in its well, as the run found it.
+Items finding_items(const ResultFooter& footer) {
+    Items items;
+    for (const std::string& finding : footer.findings) {
+        FindingText text = finding_text(finding);
+        const std::string id = "finding-" + text.subject;
+        if (!text.subject.empty())
+            text.subject[0] =
+                static_cast<char>(std::toupper(static_cast<unsigned char>(text.subject[0])));
+        items.push_back(plain(id.c_str(), text.subject.c_str(), text.what));
+    }
+    return items;
+}
+
 std::string group(const char* title, const Items& items) {
     return json_object({{"title", json_text(title)}, {"items", json_of(items)}});
 }
@@ -278,6 +293,8 @@ std::string facts_json(const Result& result) {
         groups.push_back(group("Components, from the head", components));
     if (result.header.well) groups.push_back(group("Well", well_items(*result.header.well)));
     if (!result.series.empty()) groups.push_back(group("Loads over the run", load_items(result)));
+    if (const Items items = finding_items(result.footer); !items.empty())
+        groups.push_back(group("Whirl and walls", items));
     return json_list(groups);
 }
 

@@ -137,6 +137,7 @@ class Recorder : public Observer {
         footer.largest_penetration = summary_.largest_penetration();
         footer.time_error_median = summary_.time_error_median();
         footer.warnings = warnings();
+        footer.findings = summary_.findings();
         footer.statistics = integrator_.statistics();
         footer.statistics.time_error = summary_.time_error_largest();
         return footer;
@@ -164,17 +165,16 @@ std::string time_error_text(const RunSummary& summary) {
 }
 
 std::string wall_text(const Scene& scene, const RunSummary& summary) {
-    if (!scene.well) return "";
-    if (summary.largest_penetration() == 0) return "; the wall was not touched";
-    return fmt::format("; at most {:.3g} mm in the wall, {:.2g} of the clearance",
-                       summary.largest_penetration() / millimetre,
-                       summary.largest_relative_penetration());
+    const bool untouched = scene.well && summary.largest_penetration() == 0;
+    return untouched ? "; the wall was not touched" : "";
 }
 
 void print_summary(const Recorder& recorder, const Scene& scene, const Integrator& integrator,
                    const fs::path& output) {
     for (const std::string& warning : recorder.warnings())
         say("drillstrand: warning: {}\n", warning);
+    for (const std::string& finding : recorder.summary().findings())
+        say("drillstrand: {}\n", finding);
     const StepStatistics statistics = integrator.statistics();
     const RunSummary& summary = recorder.summary();
     const double wall = recorder.wall_seconds();

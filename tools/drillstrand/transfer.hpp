@@ -203,9 +203,9 @@ void transfer(Pipe& pipe, StepStatistics& statistics) {
 template <class Pipe>
 void transfer(Pipe& pipe, ResultFooter& footer) {
     auto& [status, wall_seconds, energy_residual, largest_penetration, time_error_median, warnings,
-           statistics] = footer;
+           findings, statistics] = footer;
     transfer_all(pipe, status, wall_seconds, energy_residual, largest_penetration,
-                 time_error_median, warnings, statistics);
+                 time_error_median, warnings, findings, statistics);
 }
 
 /// Records by the table of their datasets, as files hold them.

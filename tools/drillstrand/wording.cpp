@@ -31,4 +31,10 @@ std::string unit_of(const std::string& units, std::size_t k) {
     return units.substr(start, units.find(',', start) - start);
 }
 
+FindingText finding_text(const std::string& finding) {
+    const std::size_t end = finding.find(": ");
+    if (end == std::string::npos) return {"", finding};
+    return {finding.substr(0, end), finding.substr(end + 2)};
+}
+
 }  // namespace drillstrand::program

@@ -25,4 +25,11 @@ std::string count_text(double count);
 /// Item `k` of a list of units as result files write it, "N m, N m, N", or the one unit of all.
 std::string unit_of(const std::string& units, std::size_t k);
 
+/// A finding of a run, "subject: what", in its two parts; the subject is empty where it has none.
+struct FindingText {
+    std::string subject;
+    std::string what;
+};
+FindingText finding_text(const std::string& finding);
+
 }  // namespace drillstrand::program

@@ -77,15 +77,26 @@ function addHeadStress() {
 function addContact() {
   if (!metadata.well || !has("series/time")) return;
   const section = addSection("contact", "Contact",
-    "How deep the pipe presses into the wall, how many nodes touch it, and what happened since the start: nodes that came into contact " +
-    "(impacts), came into or left it (changes), and began to slide (slips).");
+    "How deep the pipe presses into the wall, and a helix of its compression would; how many nodes touch it, and what happened since the " +
+    "start: nodes that came into contact (impacts), came into or left it (changes), and began to slide (slips). How much of the string " +
+    "whirls with its rotation or against it, how fast it goes around the well (negative: against the rotation) beside the rate at which " +
+    "it would roll without slip; and the friction of the wall along the well, positive down it.");
   addPlot(section, "contact", () => stripPlot([
-    { title: "Largest penetration", quantity: "small", lines: [{ name: "", values: series("max_penetration") }] },
+    { title: "Largest penetration", quantity: "small", lines: [
+      { name: "of the string", values: series("max_penetration") },
+      { name: "of a helix", values: series("helix_penetration"), colour: 1 }] },
     { title: "Nodes in contact", quantity: "count", lines: [{ name: "", values: series("contact_nodes"), colour: 2 }] },
     { title: "Events", quantity: "count", lines: [
       { name: "impacts", values: series("impacts") },
       { name: "changes", values: series("contact_changes"), colour: 1 },
       { name: "slips", values: series("slips"), colour: 2 }] },
+    { title: "In whirl", quantity: "share", lines: [
+      { name: "backward", values: series("whirl_backward") },
+      { name: "forward", values: series("whirl_forward"), colour: 1 }] },
+    { title: "Rate around the well", quantity: "rotation", lines: [
+      { name: "of what whirls", values: series("whirl_rate") },
+      { name: "rolling", values: series("rolling_rate"), colour: 1 }] },
+    { title: "Friction along the well", quantity: "force", lines: [{ name: "", values: series("wall_drag") }] },
   ]));
 }
 
@@ -109,7 +120,8 @@ function addEnergy() {
   addPlot(section, "energy", () => {
     const part = (component, name, k) => ({ name, values: series("energy", component), colour: k });
     return stripPlot([
-      { title: "Stored", quantity: "energy", lines: [part(0, "kinetic", 0), part(1, "elastic", 1), part(2, "potential", 2)] },
+      { title: "Stored", quantity: "energy", lines: [part(0, "kinetic", 0), part(1, "elastic", 1), part(2, "potential", 2),
+        part(5, "of spin", 3)] },
       { title: "Since the start", quantity: "energy", lines: [part(3, "work done", 3), part(4, "dissipated", 4)] },
       { title: "Residual", quantity: "share", lines: [{ name: "", values: series("energy_residual") }] },
     ]);

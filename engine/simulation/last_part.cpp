@@ -1,0 +1,219 @@
+#include "drillstrand/last_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace drillstrand {
+
+namespace {
+
+using Sample = LastPart::Sample;
+
+constexpr double longest = 30;            // s
+constexpr double share_of_run = 1.0 / 3;  // that is the last part of a short one
+constexpr double least_interval = 0.01;   // s
+constexpr double least_duration = 1;      // s, of a part that is worth a warning
+constexpr double much_whirl = 0.3;        // of the string
+constexpr double rolls = 0.8;             // of the rate without slip: below it the pipe slides
+constexpr double much_of_bit = 0.2;       // of the weight on bit
+constexpr double much_of_hook = 0.02;     // of the hook load
+constexpr double least_rotation = 0.1;    // rad/s, about 1 rpm
+
+constexpr std::array parts = {&Sample::time,          &Sample::forward,      &Sample::backward,
+                              &Sample::whirl_rate,    &Sample::rolling_rate, &Sample::whirl_depth,
+                              &Sample::kinetic,       &Sample::rotation,     &Sample::drag,
+                              &Sample::drag_size,     &Sample::drag_depth,   &Sample::hook_load,
+                              &Sample::weight_on_bit, &Sample::rotation_rate};
+
+/// Time of the last point of any schedule of loads or rotation (s).
+double last_change(const Scene& scene) {
+    double last = 0;
+    const auto follow = [&](const auto& schedule) {
+        last = std::max(last, schedule.times().back());
+    };
+    if (scene.head.motion == HeadMotion::driven) {
+        follow(scene.head.rotation);
+    } else {
+        follow(scene.head.force);
+        follow(scene.head.moment);
+    }
+    follow(scene.bit.weight);
+    follow(scene.bit.torque);
+    follow(scene.bit.force);
+    follow(scene.bit.dead_moment);
+    follow(scene.bit.moment);
+    return last;
+}
+
+Sample sample_of(const SeriesRecord& record) {
+    const Whirl& whirl = record.whirl;
+    const double share = whirl.forward + whirl.backward;
+    const double drag_size = std::abs(record.wall_drag);
+    return {record.time,
+            whirl.forward,
+            whirl.backward,
+            share * whirl.rate,
+            share * whirl.rolling_rate,
+            share * whirl.depth,
+            record.energy.kinetic,
+            record.energy.rotation,
+            record.wall_drag,
+            drag_size,
+            drag_size * record.drag_depth,
+            record.hook_load,
+            record.weight_on_bit,
+            std::abs(record.head_rotation_rate)};
+}
+
+double ratio(double a, double b) {
+    return b != 0 ? a / b : 0;
+}
+
+bool rotates(const Sample& mean) {
+    return mean.rotation_rate >= least_rotation;
+}
+
+std::string energy_text(const Sample& mean) {
+    return fmt::format("kinetic energy {:.3g} kJ, {:.3g} times that of rotation",
+                       1e-3 * mean.kinetic, ratio(mean.kinetic, mean.rotation));
+}
+
+std::string whirl_text(const Sample& mean) {
+    const double share = mean.forward + mean.backward;
+    if (share == 0) return fmt::format("none; {}", energy_text(mean));
+    return fmt::format(
+        "{:.0f} % of the string backward, {:.0f} % forward, at {:.3g} rad/s around the well "
+        "({:.3g} rad/s would roll without slip), middle at {:.4g} m of measured depth; {}",
+        100 * mean.backward, 100 * mean.forward, mean.whirl_rate / share, mean.rolling_rate / share,
+        mean.whirl_depth / share, energy_text(mean));
+}
+
+/// Which way the walls push the string.
+const char* way(const Sample& mean) {
+    return mean.drag > 0 ? "down" : "up";
+}
+
+std::string drag_text(const Sample& mean) {
+    std::string text =
+        fmt::format("friction of {:.3g} kN {} the well", 1e-3 * std::abs(mean.drag), way(mean));
+    if (mean.drag_size > 0)
+        text +=
+            fmt::format(", middle at {:.4g} m of measured depth", mean.drag_depth / mean.drag_size);
+    text += fmt::format("; weight on bit {:.3g} kN", 1e-3 * mean.weight_on_bit);
+    if (mean.weight_on_bit > 0)
+        text += fmt::format(" ({:.2g} of it)", std::abs(mean.drag) / mean.weight_on_bit);
+    return text + fmt::format(", hook load {:.4g} kN", 1e-3 * mean.hook_load);
+}
+
+bool whirls_much(const Sample& mean) {
+    return mean.backward - mean.forward > much_whirl;
+}
+
+std::string whirl_warning(const Sample& mean, const std::string& when) {
+    const double share = mean.forward + mean.backward;
+    const double of_rolling = ratio(mean.whirl_rate, mean.rolling_rate);
+    return fmt::format(
+        "{:.0f} % of the string {} in backward whirl {} ({:.3g} rad/s around the well, {:.2g} of "
+        "the rate without slip, middle at {:.4g} m of measured depth); whether it is real would "
+        "tell: a finer mesh (mesh.segments), a shorter step (run.cfl), the mass of the mud "
+        "(fluid.added_mass)",
+        100 * mean.backward, of_rolling > rolls ? "rolls" : "slides", when, mean.whirl_rate / share,
+        of_rolling, mean.whirl_depth / share);
+}
+
+bool walls_carry_much(const Sample& mean) {
+    const double drag = std::abs(mean.drag);
+    return rotates(mean) && mean.weight_on_bit > 0 && drag > much_of_bit * mean.weight_on_bit &&
+           drag > much_of_hook * std::abs(mean.hook_load);
+}
+
+std::string lock_warning(const Sample& mean, const std::string& when) {
+    return fmt::format(
+        "weight does not arrive: the walls push the rotating string {} the well with {:.3g} kN {}, "
+        "{:.2g} times the weight on bit, middle at {:.4g} m of measured depth",
+        way(mean), 1e-3 * std::abs(mean.drag), when, std::abs(mean.drag) / mean.weight_on_bit,
+        mean.drag_depth / mean.drag_size);
+}
+
+}  // namespace
+
+LastPart::LastPart(const Scene& scene, double start)
+    : well_(scene.well.has_value()), start_(start), loads_change_until_(last_change(scene)) {}
+
+void LastPart::add(const SeriesRecord& record) {
+    if (!well_ || record.time < start_) return;
+    if (!samples_.empty() && record.time - samples_.back().time < least_interval) return;
+    samples_.push_back(sample_of(record));
+    double from = record.time - std::min(longest, share_of_run * record.time);
+    if (loads_change_until_ < record.time) from = std::max(from, loads_change_until_);
+    while (samples_.front().time < from)
+        samples_.pop_front();
+}
+
+double LastPart::duration() const {
+    return samples_.empty() ? 0 : samples_.back().time - samples_.front().time;
+}
+
+std::string LastPart::when() const {
+    return fmt::format("in the last {:.3g} s{}", duration(),
+                       is_steady() ? "" : ", in which loads change");
+}
+
+Sample LastPart::mean() const {
+    Sample mean;
+    for (const auto part : parts) {
+        for (const Sample& sample : samples_)
+            mean.*part += sample.*part;
+        mean.*part /= static_cast<double>(samples_.size());
+    }
+    return mean;
+}
+
+std::vector<std::string> LastPart::findings() const {
+    if (samples_.size() < 2) return {};
+    const Sample found = mean();
+    std::vector<std::string> lines;
+    if (rotates(found) || found.forward + found.backward > 0)
+        lines.push_back(fmt::format("whirl: {}: {}", when(), whirl_text(found)));
+    lines.push_back(fmt::format("walls: {}: {}", when(), drag_text(found)));
+    return lines;
+}
+
+std::vector<std::string> LastPart::warnings() const {
+    if (duration() < least_duration) return {};
+    const Sample found = mean();
+    std::vector<std::string> sentences;
+    if (whirls_much(found)) sentences.push_back(whirl_warning(found, when()));
+    if (is_steady() && walls_carry_much(found)) sentences.push_back(lock_warning(found, when()));
+    return sentences;
+}
+
+SavedState LastPart::save() const {
+    SavedRow row{"last_part",
+                 "1, then s, 1, 1, rad/s, rad/s, m, J, J, N, N, N m, N, N, rad/s of each sample",
+                 {static_cast<double>(samples_.size())}};
+    for (const Sample& sample : samples_)
+        for (const auto part : parts)
+            row.values.push_back(sample.*part);
+    return {row};
+}
+
+void LastPart::restore(const SavedState& saved) {
+    const auto row = std::find_if(saved.begin(), saved.end(), [](const SavedRow& candidate) {
+        return candidate.name == "last_part";
+    });
+    if (row == saved.end() || row->values.size() % parts.size() != 1)
+        throw std::invalid_argument("the saved summary has no row last_part");
+    samples_.clear();
+    for (auto value = row->values.begin() + 1; value != row->values.end();) {
+        Sample& sample = samples_.emplace_back();
+        for (const auto part : parts)
+            sample.*part = *value++;
+    }
+}
+
+}  // namespace drillstrand
