@@ -84,6 +84,8 @@ TEST(ResultFile, EveryDatasetComesBackBitForBit) {
     EXPECT_EQ(result.footer.status, "complete");
     EXPECT_EQ(result.footer.wall_seconds, footer.wall_seconds);
     EXPECT_EQ(result.footer.energy_residual, footer.energy_residual);
+    EXPECT_EQ(result.footer.warnings, footer.warnings);
+    EXPECT_EQ(result.footer.findings, footer.findings);
     EXPECT_EQ(result.footer.statistics.steps, footer.statistics.steps);
     EXPECT_EQ(result.footer.statistics.rejected, footer.statistics.rejected);
     EXPECT_EQ(result.footer.statistics.evaluations, footer.statistics.evaluations);

@@ -51,6 +51,8 @@ TEST(Transfer, EverythingOfARunComesThrough) {
     EXPECT_EQ(got.footer.status, sent.footer.status);
     EXPECT_EQ(got.footer.wall_seconds, sent.footer.wall_seconds);
     EXPECT_EQ(got.footer.energy_residual, sent.footer.energy_residual);
+    EXPECT_EQ(got.footer.warnings, sent.footer.warnings);
+    EXPECT_EQ(got.footer.findings, sent.footer.findings);
     EXPECT_EQ(got.footer.statistics.steps, sent.footer.statistics.steps);
     EXPECT_EQ(got.footer.statistics.rejected, sent.footer.statistics.rejected);
     EXPECT_EQ(got.footer.statistics.evaluations, sent.footer.statistics.evaluations);

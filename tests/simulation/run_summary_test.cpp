@@ -79,6 +79,26 @@ TEST(RunSummary, WarnsOfAPipeDeeperInTheWallThanItsClearance) {
     EXPECT_EQ(run.largest_penetration(), 0.117);
 }
 
+TEST(RunSummary, SaysWhereThePipeLayDeepestAndHowDeepAHelixWould) {
+    RunSummary run = summary();
+    EXPECT_THAT(run.findings(), IsEmpty());
+    SeriesRecord record = record_at(1);
+    record.max_penetration = 0.0123;
+    record.relative_penetration = 0.246;
+    record.penetration_depth = 43.5;
+    record.helix_penetration = 2e-5;
+    run.add(record);
+    record.time = 2;
+    record.max_penetration = 0.004;
+    record.penetration_depth = 12;
+    record.helix_penetration = 4e-5;
+    run.add(record);
+    EXPECT_THAT(run.findings().back(),
+                testing::AllOf(testing::StartsWith("penetration: 12.3 mm"), HasSubstr("43.5 m"),
+                               HasSubstr("t = 1 s"), HasSubstr("0.25 of the clearance"),
+                               HasSubstr("0.04 mm")));
+}
+
 TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
     RunSummary whole = summary();
     RunSummary part = summary();
@@ -88,6 +108,10 @@ TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
         record.energy.work = 2.0 * k;
         record.max_penetration = 0.001 * ((k * 5) % 11);
         record.relative_penetration = record.max_penetration / 0.05;
+        record.penetration_depth = 3 * k;
+        record.helix_penetration = 1e-4 * (k % 5);
+        record.whirl = {0.1, 0.02 * (k % 9), -3, -4, 50};
+        record.wall_drag = 100.0 * (k % 4);
         record.time_error = 1e-4 * (k / 3);
         whole.add(record);
         if (k == 20) {
@@ -101,6 +125,8 @@ TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
     EXPECT_EQ(part.largest_penetration(), whole.largest_penetration());
     EXPECT_EQ(part.time_error_median(), whole.time_error_median());
     EXPECT_EQ(part.warnings(), whole.warnings());
+    EXPECT_EQ(part.findings(), whole.findings());
+    EXPECT_EQ(part.findings().size(), 3U);
     EXPECT_THROW(part.restore({}), std::invalid_argument);
 }
 

@@ -236,6 +236,7 @@ TEST(InclinedPipe, TrippingAddsOrTakesFrictionAndLeavesTheBitAlone) {
          {std::pair{StringMotion::tripping_in, -1.0}, std::pair{StringMotion::tripping_out, 1.0}}) {
         const Equilibrium found = pipe.moving(steady_motion(motion, 0), bit_is_loaded(motion));
         EXPECT_NEAR(found.hook_load, pipe.axial_weight() + sign * drag, exact);
+        EXPECT_NEAR(found.series.wall_drag, sign * drag, exact);
         EXPECT_NEAR(found.surface_torque, 0, exact);
         EXPECT_EQ(found.bit_force.norm(), 0);
     }
