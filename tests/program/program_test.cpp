@@ -38,14 +38,14 @@ TEST_F(Program, ARunWritesItsResultInTheWorkingDirectory) {
 }
 
 TEST_F(Program, ARunInAWellSaysWhatWhirlsAndWhatTheWallsCarryInItsFileAndInInfo) {
-    write("well.csv", "measured_depth[m],inclination[deg],azimuth[deg]\n0,30,0\n50,30,0\n");
+    write("well.csv", "md[m],inclination[deg],azimuth[deg]\n0,30,0\n50,30,0\n");
     write("inclined.toml", std::string(pipe_case) +
                                "[well]\nsurvey = \"well.csv\"\n"
                                "diameter = 0.2\n");
     const Ending ending =
         run({"run", "inclined.toml", "--set", "head.rotation=[[0,0],[0.5,\"2 Hz\"]]", "--set",
-             "run.integrator=\"leapfrog\"", "--set", "run.duration=3", "--set",
-             "output.interval=0.1", "-o", "out.h5"});
+             "head.direction=[0.5,0,0.8660254037844386]", "--set", "run.integrator=\"leapfrog\"",
+             "--set", "run.duration=3", "--set", "output.interval=0.1", "-o", "out.h5"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     const Result result = read_result(desk() / "out.h5");
     ASSERT_EQ(result.footer.findings.size(), 3U);
