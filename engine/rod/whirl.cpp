@@ -1,5 +1,6 @@
 #include "rod/whirl.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -36,7 +37,8 @@ Whirl whirl_of(const Scene& scene, const std::vector<NodeContact>& contacts,
         const double radius = scene.mesh.node[k].outer_radius;
         (rate > 0 ? forward : backward) += cell;
         sum.rate += cell * rate;
-        sum.rolling_rate -= cell * std::abs(velocities[k].spin) * radius / contacts[k].clearance;
+        const double circle = std::max(contacts[k].clearance, contacts[k].eccentricity);
+        sum.rolling_rate -= cell * std::abs(velocities[k].spin) * radius / circle;
         sum.depth += cell * contacts[k].well_depth;
     }
     const double whirling = forward + backward;

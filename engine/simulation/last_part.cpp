@@ -99,13 +99,13 @@ const char* way(const Sample& mean) {
 
 std::string drag_text(const Sample& mean) {
     std::string text =
-        fmt::format("friction of {:.3g} kN {} the well", 1e-3 * std::abs(mean.drag), way(mean));
+        fmt::format("friction of {:.4g} kN {} the well", 1e-3 * std::abs(mean.drag), way(mean));
     if (mean.drag_size > 0)
         text +=
             fmt::format(", middle at {:.4g} m of measured depth", mean.drag_depth / mean.drag_size);
-    text += fmt::format("; weight on bit {:.3g} kN", 1e-3 * mean.weight_on_bit);
+    text += fmt::format("; weight on bit {:.4g} kN", 1e-3 * mean.weight_on_bit);
     if (mean.weight_on_bit > 0)
-        text += fmt::format(" ({:.2g} of it)", std::abs(mean.drag) / mean.weight_on_bit);
+        text += fmt::format(" ({:.2f} of it)", std::abs(mean.drag) / mean.weight_on_bit);
     return text + fmt::format(", hook load {:.4g} kN", 1e-3 * mean.hook_load);
 }
 
@@ -117,7 +117,7 @@ std::string whirl_warning(const Sample& mean, const std::string& when) {
     const double share = mean.forward + mean.backward;
     const double of_rolling = ratio(mean.whirl_rate, mean.rolling_rate);
     return fmt::format(
-        "{:.0f} % of the string {} in backward whirl {} ({:.3g} rad/s around the well, {:.2g} of "
+        "{:.0f} % of the string {} in backward whirl {} ({:.3g} rad/s around the well, {:.2f} of "
         "the rate without slip, middle at {:.4g} m of measured depth); whether it is real would "
         "tell: a finer mesh (mesh.segments), a shorter step (run.cfl), the mass of the mud "
         "(fluid.added_mass)",
@@ -133,8 +133,8 @@ bool walls_carry_much(const Sample& mean) {
 
 std::string lock_warning(const Sample& mean, const std::string& when) {
     return fmt::format(
-        "weight does not arrive: the walls push the rotating string {} the well with {:.3g} kN {}, "
-        "{:.2g} times the weight on bit, middle at {:.4g} m of measured depth",
+        "weight does not arrive: the walls push the rotating string {} the well with {:.4g} kN {}, "
+        "{:.2f} times the weight on bit, middle at {:.4g} m of measured depth",
         way(mean), 1e-3 * std::abs(mean.drag), when, std::abs(mean.drag) / mean.weight_on_bit,
         mean.drag_depth / mean.drag_size);
 }
@@ -177,7 +177,7 @@ std::vector<std::string> LastPart::findings() const {
     if (samples_.size() < 2) return {};
     const Sample found = mean();
     std::vector<std::string> lines;
-    if (rotates(found) || found.forward + found.backward > 0)
+    if (rotates(found) || whirls_much(found))
         lines.push_back(fmt::format("whirl: {}: {}", when(), whirl_text(found)));
     lines.push_back(fmt::format("walls: {}: {}", when(), drag_text(found)));
     return lines;

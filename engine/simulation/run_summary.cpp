@@ -66,7 +66,7 @@ std::vector<std::string> RunSummary::findings() const {
         lines.push_back(
             fmt::format("penetration: {:.3g} mm at most, at {:.4g} m of measured depth at t = "
                         "{:.4g} s; {:.2g} of the "
-                        "clearance at most; a helix of the string's compression {:.2g} mm at most",
+                        "clearance at most; a helix of the string's compression {:.3g} mm at most",
                         1e3 * penetration_, penetration_depth_, penetration_time_,
                         relative_penetration_, 1e3 * helix_penetration_));
     return lines;

@@ -106,6 +106,15 @@ TEST(Whirl, PipeThatRollsAlongTheWallGoesAroundBackwardAtTheRollingRate) {
     }
 }
 
+TEST(Whirl, DeepInASoftWallThePipeRollsOnTheCircleThatItGoesAround) {
+    Pipe pipe;
+    pipe.spin(12);
+    const double eccentricity = 3 * clearance;
+    pipe.turn(0, 20, eccentricity, -12 * pipe_radius / eccentricity);  // no slip: v_t = -R s
+    EXPECT_NEAR(pipe.whirl().rate, -7, 1e-9);
+    EXPECT_NEAR(pipe.whirl().rolling_rate, -7, 1e-9);
+}
+
 TEST(Whirl, ForwardAndBackwardPartsAreToldApartAndTheirRateIsTheMean) {
     Pipe pipe;
     pipe.spin(10);

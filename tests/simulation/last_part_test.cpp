@@ -120,11 +120,11 @@ TEST(LastPart, WarnsOfWeightThatTheWallsTakeFromARotatingStringUnderConstantLoad
     const LastPart locked = part_of(scene_with(18), drag(29.25e3, 11.5));
     EXPECT_THAT(
         locked.findings().at(1),
-        AllOf(HasSubstr("29.2 kN down the well"), HasSubstr("306 m"),
+        AllOf(HasSubstr("29.25 kN down the well"), HasSubstr("306 m"),
               HasSubstr("weight on bit 65 kN (0.45 of it)"), HasSubstr("hook load 220 kN")));
     EXPECT_THAT(locked.warnings(),
                 ElementsAre(AllOf(HasSubstr("weight does not arrive"), HasSubstr("down the well"),
-                                  HasSubstr("29.2 kN"), HasSubstr("0.45 times the weight on bit"),
+                                  HasSubstr("29.25 kN"), HasSubstr("0.45 times the weight on bit"),
                                   HasSubstr("306 m"))));
     EXPECT_THAT(part_of(scene_with(18), drag(-29.25e3, -11.5)).warnings(),
                 ElementsAre(HasSubstr("up the well")));

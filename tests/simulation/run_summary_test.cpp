@@ -110,6 +110,7 @@ TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
         record.relative_penetration = record.max_penetration / 0.05;
         record.penetration_depth = 3 * k;
         record.helix_penetration = 1e-4 * (k % 5);
+        record.head_rotation_rate = 10;
         record.whirl = {0.1, 0.02 * (k % 9), -3, -4, 50};
         record.wall_drag = 100.0 * (k % 4);
         record.time_error = 1e-4 * (k / 3);
