@@ -160,7 +160,7 @@ double LastPart::duration() const {
 
 std::string LastPart::when() const {
     return fmt::format("in the last {:.3g} s{}", duration(),
-                       is_steady() ? "" : ", in which loads change");
+                       is_steady() ? "" : ", before loads are constant");
 }
 
 Sample LastPart::mean() const {

@@ -131,7 +131,8 @@ TEST(LastPart, WarnsOfWeightThatTheWallsTakeFromARotatingStringUnderConstantLoad
     EXPECT_THAT(part_of(scene_with(18), drag(12e3, 11.5)).warnings(), IsEmpty());
     EXPECT_THAT(part_of(scene_with(18), drag(29.25e3, 0)).warnings(), IsEmpty());
     const LastPart changing = part_of(scene_with(40), drag(29.25e3, 11.5));
-    EXPECT_THAT(changing.findings().at(1), HasSubstr("in the last 10 s, in which loads change"));
+    EXPECT_THAT(changing.findings().at(1),
+                HasSubstr("in the last 10 s, before loads are constant"));
     EXPECT_THAT(changing.warnings(), IsEmpty());
 }
 
