@@ -46,12 +46,12 @@ class RunSummary {
     EnergyAudit audit_;
     double settled_after_;
     LastPart last_part_;
-    double penetration_ = 0;        ///< m
-    double penetration_time_ = 0;   ///< s
-    double penetration_depth_ = 0;  ///< m
-    double helix_penetration_ = 0;  ///< m
+    double penetration_ = 0;           ///< m
+    double penetration_time_ = 0;      ///< s
+    double penetration_depth_ = 0;     ///< m
+    double helix_penetration_ = 0;     ///< m
     double relative_penetration_ = 0;  ///< of a node, divided by the clearance that it has
-    double deepest_time_ = 0;  ///< of the relative one (s)
+    double deepest_time_ = 0;          ///< of the relative one (s)
     double time_error_at_start_ = 0;
     double latest_time_error_ = 0;
     std::vector<double> time_errors_;  ///< samples after the start
