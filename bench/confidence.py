@@ -43,10 +43,10 @@ def difference(first, second):
 
 
 def describe(values):
-    """Mean, spread (standard deviation) and limits of 5 and 95 % of samples."""
+    """Mean, spread (standard deviation), limits of 5 and 95 % and the largest of samples."""
     low, high = np.percentile(values, [5, 95])
     return {"mean": float(np.mean(values)), "spread": float(np.std(values)), "low": float(low),
-            "high": float(high)}
+            "high": float(high), "most": float(np.max(values))}
 
 
 def number(value, digits=4):

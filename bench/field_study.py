@@ -27,9 +27,11 @@ DELAY, STRETCH = 0.31, 0.06
 # Of records (s). The second is no simple part of a turn.
 RECORDS = {"output.interval": 0.02, "output.profile_interval": 0.47,
            "output.checkpoint_interval": 0}
-# Quantities and their units; besides: kinetic energy over that of the string's pure rotation.
+# Quantities and their units; besides: kinetic energy over that of the string's pure rotation, and how
+# deep the string lies in its wall (mm).
 UNITS = {"hook load": "kN", "torque": "kN m", "wall force": "kN", "in contact": "%"}
 ROTATION = "kinetic over rotation"
+DEPTH = "in the wall"
 
 
 class Times(NamedTuple):
@@ -97,6 +99,7 @@ def samples(file):
         "wall force": (profiles["time"][:], profiles["normal_force"][:] @ cell / 1e3),
         "in contact": (moments, 100 * series["contact_nodes"][:] / node.size),
         ROTATION: (moments, np.divide(kinetic, pure, out=np.zeros_like(kinetic), where=pure > 0)),
+        DEPTH: (moments, 1e3 * series["max_penetration"][:]),
     }
 
 
@@ -203,11 +206,12 @@ def row_of(names, results, static, window="last"):
     sound = [result for result in results if "failed" not in result]
     row = {**names, "starts": len(sound), "failed": len(results) - len(sound),
            "why": next((result["failed"] for result in results if "failed" in result), "")}
-    for quantity in [*UNITS, ROTATION]:
+    for quantity in [*UNITS, ROTATION, DEPTH]:
         starts = [result["windows"][window][quantity] for result in sound]
         row[quantity], row[f"{quantity}, confidence"] = interval([start["mean"] for start in starts])
         for name in ("spread", "low", "high"):
             row[f"{quantity}, {name}"] = interval([start[name] for start in starts])[0]
+        row[f"{quantity}, most"] = max((start["most"] for start in starts), default=math.nan)
         row[f"{quantity}, static"] = static.get(quantity, math.nan)
     row["wall s per s"] = interval([result["wall s per s"] for result in sound])[0]
     return row

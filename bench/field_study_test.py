@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 
 import field_study
-from field_study import ROTATION, Motion, Times, Variation, last
+from field_study import DEPTH, ROTATION, Motion, Times, Variation, last
 from kept_runs import KeptRuns, Task, in_toml
 
 RATE = 10.0  # rad/s
@@ -28,6 +28,7 @@ def write_result(path):
                 "series/time": TIME, "series/hook_load": 1e3 * TIME,
                 "series/surface_torque": np.full(TIME.size, 2e3),
                 "series/contact_nodes": np.full(TIME.size, 3),
+                "series/max_penetration": 1e-6 * TIME,
                 "series/head_rotation_rate": np.full(TIME.size, RATE),
                 "series/kinetic_energy": np.full(TIME.size, 0.5 * INERTIA * 6 * RATE**2),
                 "profiles/time": TIME[::10],
@@ -45,18 +46,21 @@ class Numbers(unittest.TestCase):
         self.assertAlmostEqual(late["hook load"]["mean"], 90)  # kN, and a line's mean and limits
         self.assertAlmostEqual(late["hook load"]["low"], 81)
         self.assertAlmostEqual(late["hook load"]["spread"], 20 / math.sqrt(12), delta=0.2)
-        self.assertEqual(late["torque"], {"mean": 2, "spread": 0, "low": 2, "high": 2})
+        self.assertEqual(late["torque"], {"mean": 2, "spread": 0, "low": 2, "high": 2, "most": 2})
         self.assertAlmostEqual(late["wall force"]["mean"], 1 * 1 + 2 * 2 + 2 * 3 + 1 * 4)
         self.assertAlmostEqual(late["in contact"]["mean"], 75)
         self.assertAlmostEqual(late[ROTATION]["mean"], 1)
+        self.assertAlmostEqual(late[DEPTH]["most"], 0.1)  # mm
         self.assertEqual(numbers["wall s per s"], 0.25)
 
     def test_of_a_row_tell_what_failed_and_how_far_statics_are(self):
-        starts = [{"windows": {"last": {quantity: {"mean": mean, "spread": 1, "low": 0, "high": 2}
-                                        for quantity in [*field_study.UNITS, ROTATION]}},
+        starts = [{"windows": {"last": {quantity: {"mean": mean, "spread": 1, "low": 0, "high": 2,
+                                                    "most": mean}
+                                        for quantity in [*field_study.UNITS, ROTATION, DEPTH]}},
                    "wall s per s": 0.1} for mean in (99.0, 101.0)]
         row = field_study.row_of({"variation": "N"}, [*starts, {"failed": "no"}], {"torque": 80.0})
         self.assertEqual((row["torque"], row["starts"], row["failed"]), (100, 2, 1))
+        self.assertEqual(row["torque, most"], 101)
         self.assertAlmostEqual(row["torque, confidence"], 12.706, delta=0.01)
         self.assertEqual(field_study.static_text(row, "torque"), "80; +25.00 %")
         self.assertEqual(field_study.static_text(row, "hook load"), "")
