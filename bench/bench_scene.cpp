@@ -25,7 +25,7 @@ std::size_t entries(const PlainState& state, std::size_t row) {
 }  // namespace
 
 Scene make_scene(int segments, const SceneFeatures& features, double offset) {
-    Case input = read_case(DRILLSTRAND_CASES "/well2_drilling.toml",
+    Case input = read_case(DRILLSTRAND_CASES "/well2_drilling_paper.toml",
                            {{"mesh.segments", fmt::format("{}", segments)},
                             {"head.rotation", R"("2 Hz")"},
                             {"bit.weight", R"("50 kN")"},

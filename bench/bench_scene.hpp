@@ -8,8 +8,8 @@
 
 namespace drillstrand::bench {
 
-/// Scene of cases/well2_drilling.toml with so many segments. Without a well the string hangs free;
-/// without damping D_in = 0. `offset` (m) shifts it from the well's axis toward the wall.
+/// Scene of cases/well2_drilling_paper.toml with so many segments. Without a well the string hangs
+/// free; without damping D_in = 0. `offset` (m) shifts it from the well's axis toward the wall.
 Scene make_scene(int segments, const SceneFeatures& features, double offset = 0);
 
 /// A state off balance, the same every time: speeds of centimetres per second, and so little

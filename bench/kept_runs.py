@@ -62,7 +62,8 @@ class KeptRuns:
             try:
                 measure.run_case(self.build, task.case, task.settings, task.threads, result)
             except SystemExit as failure:
-                return {"failed": str(failure).strip().splitlines()[-1].split("error: ")[-1]}
+                why = str(failure).strip().splitlines()[-1].split("error: ")[-1]
+                return {"failed": why.split("; ")[0]}  # without advice
             numbers = self.look(result, task.wanted)
         with self.lock:
             entry = {"key": key, "run": task.label, "numbers": numbers}

@@ -24,11 +24,13 @@ CASES = Path(__file__).resolve().parent.parent / "cases"
 
 # name: case and settings; each takes a few tenths of a second
 RUNS = {
-    "leapfrog, well and mud": ("well1", {"run.duration": 10, "output.profile_interval": 1}),
-    "leapfrog, drilling, tolerance": ("well2_drilling", {"run.duration": 2, "run.tolerance": 1e-3}),
+    "leapfrog, well and mud": ("well1", {"run.duration": 10, "output.profile_interval": 1,
+                                         "head.rotation": [[0, 0], [2, 11]]}),
+    "leapfrog, drilling, tolerance": ("well2_drilling", {"run.duration": 2, "run.tolerance": 1e-3,
+                                                         "head.rotation": [[0, 0], [1, 2]]}),
     "leapfrog, bare": ("cantilever", {"run.duration": 60, "run.integrator": "leapfrog"}),
-    "dormand-prince, well": ("well1", {"run.duration": 0.03, "run.integrator": "dormand-prince",
-                                       "output.interval": 0.003, "output.profile_interval": 0.015}),
+    "dormand-prince, well": ("well1_paper", {"run.duration": 0.03, "run.integrator": "dormand-prince",
+                                             "output.interval": 0.003, "output.profile_interval": 0.015}),
     "dormand-prince, bare": ("cantilever", {"run.duration": 0.15, "run.integrator": "dormand-prince",
                                             "output.interval": 0.01}),
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Well 1 from its case file to its end, on one thread and on two: speed, steps, loads, energy.
+"""Well 1 with the paper's numbers to its end, on one thread and on two: speed, steps, loads, energy.
 
 The paper's figure 21: 20 s of relaxation, rotation, and from 45 s on weight and torque at the bit.
 A steady weight has to take its own size off the head's tension, and the steps should lie between
@@ -12,7 +12,7 @@ import numpy as np
 
 import measure
 
-CASE = "well1.toml"
+CASE = "well1_paper.toml"
 BEFORE, AFTER = (35, 45), (60, 70)  # s: before the weight comes on, and under full load
 WEIGHT = 65e3  # N
 STEPS = (0.3e-5, 3e-5)  # s, the range of the paper's steps
@@ -86,7 +86,7 @@ def publish(runs, identical, facts, picture):
                           text_of(name, run[name]) for run in runs}} for name in names]
     measure.publish(
         "well1", facts,
-        "`cases/well1.toml` to its end. Steps are sampled at the records, every 0.1 s: the last "
+        f"`cases/{CASE}` to its end. Steps are sampled at the records, every 0.1 s: the last "
         "one before a record may be cut to half. Tension and torques are means over "
         f"{BEFORE[0]} to {BEFORE[1]} s (before the weight) and {AFTER[0]} to {AFTER[1]} s (under "
         "it). All series of the two runs are "

@@ -212,6 +212,7 @@ tangential_stiffness = 1e4
 static_friction = 0.3
 dynamic_friction = 0.25
 [initial]
+state = "coaxial"  # but for the next
 offset = [-0.031, 0, 0.031]  # near the low side in the middle of the bend
 [run]
 duration = 4
@@ -237,12 +238,12 @@ MOTIONS = [
     Motion("well-1", "Well 1, drilling", 86, 43,
            {"head.rotation": '[[0.5, 0], [2, "1.83 Hz"]]', "bit.weight": '[[4, 0], [6, "65 kN"]]',
             "bit.torque": '[[4, 0], [6, "10 kN m"]]', "run.duration": 6, "output.interval": 0.1},
-           "error of tension and twist moment, of their ranges", case="well1.toml", means=10,
+           "error of tension and twist moment, of their ranges", case="well1_paper.toml", means=10,
            quick={"run.duration": 3, "bit.weight": '[[1, 0], [2, "65 kN"]]',
                   "bit.torque": '[[1, 0], [2, "10 kN m"]]'}),
     Motion("well-3", "Well 3, turning", 147, 49,
            {"head.rotation": '[[0, 0], [1, "2 Hz"]]', "run.duration": 3, "output.interval": 0.1},
-           "error of tension and twist moment, of their ranges", case="well3.toml", means=10,
+           "error of tension and twist moment, of their ranges", case="well3_paper.toml", means=10,
            quick={"run.duration": 0.5}),
 ]
 

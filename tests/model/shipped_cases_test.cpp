@@ -45,7 +45,8 @@ TEST_P(ShippedCase, HasAWellLongerAndWiderThanItsString) {
 INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase,
                          testing::Values("vertical_20kN", "vertical_50kN", "vertical_100kN",
                                          "horizontal_350kN", "horizontal_500kN", "horizontal_1MN",
-                                         "well1", "well2", "well2_drilling", "well3",
+                                         "well1", "well2", "well2_drilling", "well3", "well1_paper",
+                                         "well2_paper", "well2_drilling_paper", "well3_paper",
                                          "torque_drag"),
                          [](const auto& instance) { return instance.param; });
 
@@ -60,10 +61,73 @@ TEST(ShippedCases, HaveThePaperLengthsAndMeshes) {
                                                  {"well1", 515, 86},
                                                  {"well2", 2254, 322},
                                                  {"well2_drilling", 2254, 322},
-                                                 {"well3", 1911, 294}}) {
+                                                 {"well3", 1911, 294},
+                                                 {"well1_paper", 515, 86},
+                                                 {"well2_paper", 2254, 322},
+                                                 {"well2_drilling_paper", 2254, 322},
+                                                 {"well3_paper", 1911, 294}}) {
         const Case input = read_case(cases / (std::string(name) + ".toml"));
         EXPECT_NEAR(string_length(input), length, 1e-9) << name;
         EXPECT_EQ(input.mesh.segments, segments) << name;
+    }
+}
+
+/// The paper's fluid is in creeping flow, leaves nodes in contact alone and does not move along
+/// with the string; its springs keep what they hold.
+void expect_the_forms_of_the_paper(const Case& input) {
+    ASSERT_TRUE(input.fluid);
+    EXPECT_EQ(input.fluid->regime, FlowRegime::laminar);
+    EXPECT_FALSE(input.fluid->contact_drag);
+    EXPECT_FALSE(input.fluid->added_mass);
+    EXPECT_EQ(input.contact.rolling_creep, 0);
+    EXPECT_EQ(input.contact.static_friction.axial, 0.6);
+    EXPECT_EQ(input.contact.dynamic_friction.azimuthal, 0.42);
+    EXPECT_EQ(input.damping.internal.translation, 1e-2);
+    EXPECT_EQ(input.initial.state, InitialState::coaxial);
+}
+
+TEST(ShippedCases, BucklingInAWellHasTheFormsOfThePaper) {
+    for (const char* name : {"vertical_20kN", "vertical_50kN", "vertical_100kN", "horizontal_350kN",
+                             "horizontal_500kN", "horizontal_1MN"}) {
+        SCOPED_TRACE(name);
+        expect_the_forms_of_the_paper(read_case(cases / (std::string(name) + ".toml")));
+    }
+}
+
+// Springs: section 4.1 and the captions of figures 23, 25 and 24 (Pa, Pa s, Pa).
+TEST(ShippedCases, OfThePaperHaveItsSpringsAndTheOthersStiffOnes) {
+    struct Expected {
+        std::string name;
+        double normal_stiffness;
+        double normal_damping;
+        double tangential_stiffness;
+    };
+    for (const auto& [name, stiffness, damping, tangential] : {Expected{"well1", 1e4, 1e4, 0.5e4},
+                                                               {"well2", 1e5, 1e5, 1e3},
+                                                               {"well2_drilling", 1e6, 1e6, 10},
+                                                               {"well3", 1e6, 1e6, 10}}) {
+        SCOPED_TRACE(name);
+        const Case paper = read_case(cases / (name + "_paper.toml"));
+        expect_the_forms_of_the_paper(paper);
+        EXPECT_EQ(paper.fluid->axial_drag, AxialDrag::concentric);
+        EXPECT_EQ(paper.contact.normal_stiffness, stiffness);
+        EXPECT_EQ(paper.contact.normal_damping, damping);
+        EXPECT_EQ(paper.contact.tangential_stiffness, tangential);
+
+        const Case shipped = read_case(cases / (name + ".toml"));
+        EXPECT_EQ(shipped.initial.state, InitialState::equilibrium);
+        EXPECT_EQ(shipped.fluid->regime, FlowRegime::inertial);
+        EXPECT_TRUE(shipped.fluid->contact_drag);
+        EXPECT_TRUE(shipped.fluid->added_mass);
+        EXPECT_EQ(shipped.contact.normal_stiffness, 1e7);
+        EXPECT_EQ(shipped.contact.tangential_stiffness, 1e6);
+        // to be compared at the same times
+        EXPECT_EQ(shipped.run.duration, paper.run.duration);
+        for (double time = 0; time <= paper.run.duration; time += 0.5) {
+            EXPECT_EQ(shipped.head.rotation(time), paper.head.rotation(time)) << time;
+            EXPECT_EQ(shipped.bit.weight(time), paper.bit.weight(time)) << time;
+            EXPECT_EQ(shipped.bit.torque(time), paper.bit.torque(time)) << time;
+        }
     }
 }
 

@@ -106,7 +106,7 @@ TEST_F(Program, CheckPrintsEveryDamping) {
 }
 
 TEST_F(Program, CheckAdvisesAStartAtRestWhereAStringWouldFallInItsWell) {
-    const std::string well = DRILLSTRAND_SOURCE_DIR "/cases/well1.toml";
+    const std::string well = DRILLSTRAND_SOURCE_DIR "/cases/well1_paper.toml";
     const std::string advice = "Advice: the string starts on the axis of the well and falls";
     const auto check = [&](const std::string& override) {
         return run({"check", well, "--set", override}).out;

@@ -17,7 +17,7 @@ namespace {
 
 test::Run turning_casing(const std::string& integrator, double cfl,
                          const std::string& kelvin_voigt) {
-    return run(read_case(std::filesystem::path(DRILLSTRAND_SOURCE_DIR) / "cases/well1.toml",
+    return run(read_case(std::filesystem::path(DRILLSTRAND_SOURCE_DIR) / "cases/well1_paper.toml",
                          {{"head.rotation", "[[0, 0], [2, \"1.83 Hz\"]]"},
                           {"bit.weight", "0"},
                           {"bit.torque", "0"},
