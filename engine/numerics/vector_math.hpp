@@ -59,7 +59,7 @@ DRILLSTRAND_INLINE double log1p_nonnegative(double y) {
     return e * ln2_high + (2.0 * s * series + (lost + e * ln2_low));
 }
 
-/// exp(-x) for 0 <= x < 16, to 1e-11: Taylor's series of exp(-x / 256), squared eight times.
+/// exp(-x) for 0 <= x < 10, to 1e-11: Taylor's series of exp(-x / 256), squared eight times.
 DRILLSTRAND_INLINE double exp_of_minus(double x) {
     const double y = x * (-1.0 / 256.0);
     double power = 1.0 + y * (1.0 / 6.0);
