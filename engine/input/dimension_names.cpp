@@ -36,6 +36,8 @@ constexpr std::array names{
     Name{{0, 3, 0}, "a volume", "m3", "m3, L"},
     Name{{0, 1, -1}, "a speed", "m/s", "m/s, ft/h"},
     Name{{1, 0, -1}, "a damping", "N s/m", "N s/m, kg/s"},
+    Name{{1, 1, -1}, "a damping of rotation per length", "N s", "N s, kg m/s"},
+    Name{{1, 2, -1}, "a damping of rates of bending and twist", "N m s", "N m s, kg m2/s"},
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
 };
 

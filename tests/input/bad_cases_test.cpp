@@ -304,10 +304,50 @@ TEST(BadCases, TheStringMustFitTheWell) {
     });
 }
 
-TEST(BadCases, WhatIsNotAvailableYetIsRefused) {
+TEST(BadCases, FluidHasARegimeThatItsKeysFit) {
     expect_messages({
-        {"viscosity = 1e-3", "viscosity = 1e-3\nadded_mass = true",
-         "case.toml:10:14: fluid.added_mass asks for what is not available yet; expected false"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\nregime = \"turbulent\"",
+         R"(case.toml:10:10: fluid.regime is "turbulent"; expected "inertial" or "laminar")"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\nregime = \"laminar\"\ndrag_coefficient = 1.2",
+         R"(case.toml:11:20: fluid.drag_coefficient has no effect; expected it with regime = "inertial")"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\ndrag_coefficient = -1",
+         "case.toml:10:20: fluid.drag_coefficient is -1; expected 0 to 1000"},
+        {"viscosity = 1e-3", "viscosity = 1e-3\nadded_mass = 1",
+         "case.toml:10:14: fluid.added_mass is 1; expected true or false"},
+    });
+}
+
+TEST(BadCases, RollingCreepIsAPartOfTheWay) {
+    expect_messages({
+        {"duration = 20\n", "duration = 20\n[contact]\nrolling_creep = 1.5\n",
+         "case.toml:40:17: contact.rolling_creep is 1.5; expected 0 to 1"},
+        {"duration = 20\n", "duration = 20\n[contact]\nrolling_creep = -0.1\n",
+         "case.toml:40:17: contact.rolling_creep is -0.1; expected 0 to 1"},
+    });
+}
+
+TEST(BadCases, DampingIsGivenForBothMotionsOrForEach) {
+    const auto damping = [](const std::string& keys) {
+        return "duration = 20\n[damping]\n" + keys + "\n";
+    };
+    expect_messages({
+        {"duration = 20\n", damping("internal = 1\ninternal_rotation = 2"),
+         "case.toml:41:21: damping.internal_rotation excludes damping.internal; expected one of "
+         "the two"},
+        {"duration = 20\n", damping("external_translation = 2\nexternal = 1"),
+         "case.toml:40:24: damping.external_translation excludes damping.external; expected one of "
+         "the two"},
+        {"duration = 20\n", damping("external_rotation = \"1 N s/m2\""),
+         "case.toml:40:21: damping.external_rotation: N s/m2 is a viscosity; expected a damping of "
+         "rotation per length such as N s, kg m/s"},
+        {"duration = 20\n", damping("internal_rotation = \"1 N s/m\""),
+         "case.toml:40:21: damping.internal_rotation: N s/m is a damping; expected a damping of "
+         "rates of bending and twist such as N m s, kg m2/s"},
+        {"duration = 20\n", damping("external_translation = \"1 N s/m\""),
+         "case.toml:40:24: damping.external_translation: N s/m is a damping; expected a viscosity "
+         "such as Pa s, mPa s, cP"},
+        {"duration = 20\n", damping("external_rotation = -1"),
+         "case.toml:40:21: damping.external_rotation is -1; expected 0 to 1e12 N s"},
     });
 }
 

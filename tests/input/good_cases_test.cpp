@@ -77,8 +77,9 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
     EXPECT_EQ(input.contact.law, FrictionLaw::coulomb);
     EXPECT_FALSE(input.contact.tension);
 
-    EXPECT_EQ(input.damping.internal, 0);
-    EXPECT_EQ(input.damping.external, 0);
+    EXPECT_EQ(input.contact.rolling_creep, 0.005);
+    EXPECT_FALSE(input.damping.internal.any());
+    EXPECT_FALSE(input.damping.external.any());
     EXPECT_EQ(input.damping.kelvin_voigt, 0);
     EXPECT_EQ(input.initial.state, InitialState::coaxial);
     EXPECT_TRUE(input.initial.curvature.isZero(0));
@@ -106,7 +107,10 @@ TEST(GoodCases, FluidInAWellHasItsDefaults) {
     EXPECT_TRUE(input.fluid->drag);
     EXPECT_EQ(input.fluid->axial_drag, AxialDrag::eccentric);
     EXPECT_EQ(input.fluid->film, 0.01);
-    EXPECT_FALSE(input.fluid->added_mass);
+    EXPECT_EQ(input.fluid->regime, FlowRegime::inertial);
+    EXPECT_EQ(input.fluid->drag_coefficient, 1);
+    EXPECT_TRUE(input.fluid->contact_drag);
+    EXPECT_TRUE(input.fluid->added_mass);
     EXPECT_EQ(input.bit.direction, BitDirection::well);
     ASSERT_EQ(input.well->sections.size(), 1U);
     EXPECT_EQ(input.well->sections[0].to, 520);
@@ -131,6 +135,8 @@ inside = "empty"
 drag = true
 axial_drag = "concentric"
 film = 0.02
+regime = "laminar"
+contact_drag = false
 added_mass = false
 [string]
 shear_coefficient = 0.9
@@ -174,6 +180,7 @@ restitution = 0.3
 tangential_stiffness = 2e6
 static_friction = [0.5, 0.4]
 dynamic_friction = 0.3
+rolling_creep = 0.01
 law = "paper"
 tension = true
 [damping]
@@ -211,6 +218,9 @@ side_force_window = "10 ft"
     EXPECT_EQ(input.fluid->inside, InsideOfPipe::empty);
     EXPECT_EQ(input.fluid->axial_drag, AxialDrag::concentric);
     EXPECT_EQ(input.fluid->film, 0.02);
+    EXPECT_EQ(input.fluid->regime, FlowRegime::laminar);
+    EXPECT_FALSE(input.fluid->contact_drag);
+    EXPECT_FALSE(input.fluid->added_mass);
 
     EXPECT_EQ(input.string.shear_coefficient, 0.9);
     const Component& component = input.string.components.at(0);
@@ -255,8 +265,11 @@ side_force_window = "10 ft"
     EXPECT_EQ(input.contact.dynamic_friction.azimuthal, 0.3);
     EXPECT_EQ(input.contact.law, FrictionLaw::paper);
     EXPECT_TRUE(input.contact.tension);
-    EXPECT_EQ(input.damping.internal, 1e-2);
-    EXPECT_EQ(input.damping.external, 2);
+    EXPECT_EQ(input.contact.rolling_creep, 0.01);
+    EXPECT_EQ(input.damping.internal.translation, 1e-2);
+    EXPECT_EQ(input.damping.internal.rotation, 1e-2);
+    EXPECT_EQ(input.damping.external.translation, 2);
+    EXPECT_EQ(input.damping.external.rotation, 2);
     EXPECT_EQ(input.initial.curvature[1], 1e-4);
     EXPECT_EQ(input.initial.offset[1], 1e-3);
 
@@ -352,6 +365,37 @@ TEST(GoodCases, WindowsLineEndsAndByteOrderMarksDoNoHarm) {
     for (const char c : smallest_case)
         text += c == '\n' ? "\r\n" : std::string(1, c);
     EXPECT_EQ(read_text(text).run.duration, 1);
+}
+
+TEST(GoodCases, DampingOfTranslationAndOfRotationHaveUnitsOfTheirOwn) {
+    const DampingCase damping = read_text(smallest_case + R"([damping]
+internal_translation = "3 N s/m"
+internal_rotation = "4 N m s"
+external_translation = "5 mPa s"
+external_rotation = "6 kN s"
+)")
+                                    .damping;
+    EXPECT_EQ(damping.internal.translation, 3);
+    EXPECT_EQ(damping.internal.rotation, 4);
+    EXPECT_EQ(damping.external.translation, 5e-3);
+    EXPECT_EQ(damping.external.rotation, 6e3);
+}
+
+TEST(GoodCases, DampingOfOneMotionLeavesTheOtherAlone) {
+    const DampingCase damping =
+        read_text(smallest_case + "[damping]\nexternal_rotation = 6\ninternal = 2\n").damping;
+    EXPECT_EQ(damping.external.translation, 0);
+    EXPECT_EQ(damping.external.rotation, 6);
+    EXPECT_EQ(damping.internal.translation, 2);
+    EXPECT_EQ(damping.internal.rotation, 2);
+}
+
+TEST(GoodCases, DragCoefficientIsThatOfTheInertialRegime) {
+    const Case input = read_trial("viscosity = 1e-3",
+                                  "viscosity = 1e-3\nregime = \"inertial\"\n"
+                                  "drag_coefficient = 1.2\ncontact_drag = true\n");
+    EXPECT_EQ(input.fluid->regime, FlowRegime::inertial);
+    EXPECT_EQ(input.fluid->drag_coefficient, 1.2);
 }
 
 }  // namespace
