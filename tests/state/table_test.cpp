@@ -35,10 +35,14 @@ static_assert(std::is_invocable_v<decltype(director_segments), const DirectorMod
                                   Segments&, BlockSpan, double>);
 static_assert(!std::is_invocable_v<decltype(director_segments), const DirectorModel&,
                                    const Segments&, Rod&, BlockSpan, double>);
-static_assert(std::is_invocable_v<decltype(segment_pass), const StrandModel&, const Strand&,
-                                  Strand&, StrandWorkspace&, std::size_t, std::size_t>);
+static_assert(
+    std::is_invocable_v<decltype(segment_pass), const StrandModel&, const Strand&, Strand&,
+                        StrandWorkspace&, const Wall&, std::size_t, std::size_t>);
 static_assert(!std::is_invocable_v<decltype(segment_pass), const StrandModel&, const Rod&, Strand&,
-                                   StrandWorkspace&, std::size_t, std::size_t>);
+                                   StrandWorkspace&, const Wall&, std::size_t, std::size_t>);
+static_assert(
+    !std::is_invocable_v<decltype(segment_pass), const StrandModel&, const Strand&, Strand&,
+                         StrandWorkspace&, const Rod&, std::size_t, std::size_t>);
 // a table that is only read cannot be written
 static_assert(!std::is_invocable_v<decltype(director_segments), const DirectorModel&, const Rod&,
                                    const Segments&, BlockSpan, double>);
