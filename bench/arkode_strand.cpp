@@ -74,8 +74,8 @@ Vector6 typical_momentum(const Scene& scene) {
         std::sqrt(section.bending_stiffness / scene.inertia.front()),
         std::sqrt(section.bending_stiffness / scene.inertia.front()),
         std::sqrt(section.axial_stiffness / section.mass),
-        std::sqrt(section.shear_stiffness / section.mass),
-        std::sqrt(section.shear_stiffness / section.mass);
+        std::sqrt(section.shear_stiffness / scene.lateral_mass.front()),
+        std::sqrt(section.shear_stiffness / scene.lateral_mass.front());
     return typical_stress(scene).cwiseQuotient(speed);
 }
 
@@ -224,7 +224,7 @@ void ArkodeStrand::Solver::write_rate(double* y) const {
 /// Rates of the state at hand. With `hold_pose` nodes stay where the evaluation before put them.
 void ArkodeStrand::Solver::evaluate(bool hold_pose) {
     const std::size_t blocks = work.table.blocks();
-    segment_pass(model, state, rate, work, 0, blocks);
+    segment_pass(model, state, rate, work, wall, 0, blocks);
     constexpr std::size_t first_of_pose = 12;  // lines of wrenches come before
     for (std::size_t line = first_of_pose; line < Table<StrandWorkRow>::lines; ++line) {
         double* now = work.table.line(line);
@@ -285,18 +285,21 @@ void ArkodeStrand::Solver::precondition(double t, const double* y, double gamma)
     check(SUNLinSolSetup(band_solver, band), "SUNLinSolSetup");
 }
 
-/// Springs and arcs follow an accepted step with the motion at its end.
+/// Springs, arcs and the fluid that moves along follow an accepted step with the motion at its end.
 void ArkodeStrand::Solver::follow_surroundings(double step) {
     const Surroundings& surroundings = model.surroundings;
     if (surroundings.empty()) return;
     read(N_VGetArrayPointer(vector), time);
     evaluate(false);
     for (std::size_t block = 0; block < work.table.blocks(); ++block) {
-        if (!surroundings.changes(wall, block)) continue;
-        surroundings.advance_springs(wall, step, block);
-        surroundings.refresh_arcs(wall, {block, block + 1}, [&](std::size_t node) {
+        if (!model.features.fluid_mass && !surroundings.changes(wall, block)) continue;
+        const auto position = [&](std::size_t node) {
             return node_pose(work, block_start, node).position;
-        });
+        };
+        surroundings.advance_springs(wall, step, block);
+        surroundings.refresh_arcs(wall, {block, block + 1}, position);
+        if (model.features.fluid_mass)
+            surroundings.refresh_fluid_mass(wall, {block, block + 1}, position);
     }
 }
 

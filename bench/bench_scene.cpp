@@ -31,7 +31,9 @@ Scene make_scene(int segments, const SceneFeatures& features, double offset) {
                             {"bit.weight", R"("50 kN")"},
                             {"bit.torque", R"("5 kN m")"},
                             {"initial.offset", fmt::format("[{}, 0, 0]", offset)},
-                            {"fluid.drag", features.drag ? "true" : "false"}});
+                            {"fluid.drag", features.drag ? "true" : "false"},
+                            {"fluid.regime", features.inertial_flow ? "inertial" : "laminar"},
+                            {"fluid.added_mass", features.fluid_mass ? "true" : "false"}});
     if (!features.well) {
         input.well.reset();
         input.fluid.reset();

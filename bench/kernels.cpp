@@ -70,7 +70,7 @@ struct Bench {
     [[nodiscard]] std::size_t blocks() const { return work.table.blocks(); }
 
     void segments_by_vectors() {
-        segment_pass(model, state, rate, work, 0, blocks());
+        segment_pass(model, state, rate, work, wall, 0, blocks());
         chain_blocks(head, work, block_start, blocks());
     }
     void nodes_by_vectors() { node_pass(model, state, rate, work, block_start, wall, 0, blocks()); }
@@ -124,10 +124,16 @@ struct NamedFeatures {
     const char* name;
     SceneFeatures features;
 };
+constexpr SceneFeatures everything = {
+    .well = true, .drag = true, .inertial_flow = true, .fluid_mass = true, .damping = true};
 const NamedFeatures feature_sets[] = {
-    {"free", {false, false, false}},          {"damped", {false, false, true}},
-    {"well", {true, false, false}},           {"well+drag", {true, true, false}},
-    {"well+drag+damped", {true, true, true}},
+    {"free", {}},
+    {"damped", {.damping = true}},
+    {"well", {.well = true}},
+    {"well+laminar drag", {.well = true, .drag = true}},
+    {"well+drag", {.well = true, .drag = true, .inertial_flow = true}},
+    {"well+drag+mass", {.well = true, .drag = true, .inertial_flow = true, .fluid_mass = true}},
+    {"well+drag+mass+damped", everything},
 };
 
 void add_strand_kernels(int segments) {
@@ -207,9 +213,9 @@ struct NamedScene {
     double offset;  ///< m
 };
 const NamedScene stepped_scenes[] = {
-    {"step free", {false, false, false}, 0},
-    {"step in mud", {true, true, true}, 0},
-    {"step on wall", {true, true, true}, 0.09},  // all nodes in contact
+    {"step free", {}, 0},
+    {"step in mud", everything, 0},
+    {"step on wall", everything, 0.09},  // all nodes in contact
 };
 
 constexpr Tolerances tolerances;

@@ -68,6 +68,18 @@ DragCoefficients plain_drag_coefficients(double eccentricity, double pipe, doubl
             -scale * pipe2 * eccentricity, scale * pipe2 * (hole2 * phi / sinh_d + e2)};
 }
 
+DragCoefficients plain_drag_with_inertia(const DragCoefficients& creeping, const FlowInertia& flow,
+                                         double radius, double across, double along, double spin) {
+    const double reynolds = flow.swirl_reynolds * std::abs(spin) + 1;
+    const double coefficient =
+        std::max(1.03 / std::sqrt(reynolds), 0.065 * std::pow(reynolds, -0.2));
+    const double swirl = flow.swirl * std::abs(spin) * coefficient;
+    const double stream = flow.stream * std::pow(std::hypot(along, radius * spin), 0.75);
+    return {creeping.radial + flow.cross * across, std::hypot(creeping.axial, stream),
+            creeping.around + flow.cross * across, creeping.cross,
+            std::hypot(creeping.spin, swirl)};
+}
+
 PlainStrand::PlainStrand(const Scene& scene)
     : scene_(scene), parameters_(surroundings_parameters(scene)) {
     const StringMesh& mesh = scene.mesh;
@@ -85,6 +97,9 @@ PlainStrand::PlainStrand(const Scene& scene)
              s.outer_radius,
              scene.well ? scene.normal_stiffness[k] : 0.0,
              scene.well ? scene.normal_damping[k] : 0.0,
+             s.mass,
+             scene.features.fluid_mass ? fluid_inside(s, *scene.fluid) : 0.0,
+             scene.features.fluid_mass ? fluid_displaced(s, *scene.fluid) : 0.0,
              {{1 / s.polar_inertia, transverse, transverse}, Vector3d::Constant(1 / s.mass)}});
     }
     wrench_on_first_.resize(node_.size());
@@ -97,6 +112,7 @@ PlainStrand::PlainStrand(const Scene& scene)
     for (std::size_t k = 0; k < node_.size(); ++k) {
         guess = scene.well->find_arc(pose_[k].position, guess);
         enter_arc(k, guess);
+        follow_fluid(k);
     }
 }
 
@@ -108,13 +124,35 @@ void PlainStrand::enter_arc(std::size_t node, std::size_t arc) {
     c.numbers = {triple(a.start), triple(a.tangent), triple(a.normal), a.curvature, a.radius};
     c.end_cosine = std::cos(angle);
     c.reach = angle < 1e-8 ? a.length : std::sin(angle) / a.curvature;
+    if (parameters_.inertial_flow) {
+        c.flow = flow_inertia(parameters_.density, parameters_.viscosity,
+                              parameters_.drag_coefficient, node_[node].pipe, a.radius);
+    }
+}
+
+AddedMass PlainStrand::annulus_mass(std::size_t node, double eccentricity) const {
+    const Node& n = node_[node];
+    const double hole = contact_[node].numbers.radius;
+    const double at = drag_eccentricity(eccentricity, n.pipe, hole, parameters_.film);
+    const AddedMass added = added_mass(at, n.pipe, hole);
+    return {n.displaced * added.coefficient, at < eccentricity ? 0.0 : n.displaced * added.slope};
+}
+
+void PlainStrand::follow_fluid(std::size_t node) {
+    if (!scene_.features.fluid_mass) return;
+    contact_[node].fluid_mass =
+        node_[node].inside + annulus_mass(node, frame_at(node).eccentricity).coefficient;
 }
 
 Six PlainStrand::velocity(const PlainState& state, std::size_t node) const {
     const Six& inverse = node_[node].inverse_inertia;
     const Six& momentum = state.momentum[node];
-    return {inverse.angular.cwiseProduct(momentum.angular),
-            inverse.linear.cwiseProduct(momentum.linear)};
+    Six v{inverse.angular.cwiseProduct(momentum.angular),
+          inverse.linear.cwiseProduct(momentum.linear)};
+    if (scene_.features.fluid_mass)
+        v.linear.tail<2>() =
+            momentum.linear.tail<2>() / (node_[node].mass + contact_[node].fluid_mass);
+    return v;
 }
 
 void PlainStrand::segments(const PlainState& state, PlainState& rate, const Pose& head) {
@@ -157,6 +195,7 @@ void PlainStrand::nodes(const PlainState& state, PlainState& rate, std::size_t b
         result.angular =
             n.inverse_cell * (wrench_on_first_[k].angular - wrench_on_last_[k].angular) +
             momentum.angular.cross(v.angular);
+        if (scene_.features.fluid_mass) result.angular += momentum.linear.cross(v.linear);
         result.linear = n.inverse_cell * (wrench_on_first_[k].linear - wrench_on_last_[k].linear) +
                         momentum.linear.cross(v.angular) +
                         n.weight * (pose_[k].frame.transpose() * scene_.down);
@@ -196,6 +235,7 @@ Six PlainStrand::surroundings(std::size_t node, const Six& velocity) {
     c.leaves = foot_leaves(frame, c.end_cosine, c.reach);
     c.depth = penetration(frame.eccentricity, hole, n.pipe);
     c.slip = slip_velocity(v_l, p.friction.cone() * v_t, w_l, n.pipe);
+    c.rolling = rolling_speed(v_t, frame.eccentricity, hole);
     c.normal = 0;
     double force_r = 0;
     Tangential rub{0, 0};
@@ -205,27 +245,44 @@ Six PlainStrand::surroundings(std::size_t node, const Six& velocity) {
         rub = friction_force(c.spring, c.normal, p.friction);
         force_r = c.normal;
         couple = n.pipe * rub.azimuthal;
-    } else if (scene_.features.drag) {
-        const double eccentricity = drag_eccentricity(frame.eccentricity, n.pipe, hole, p.film);
-        const DragCoefficients drag = plain_drag_coefficients(eccentricity, n.pipe, hole);
-        const double axial =
-            p.eccentric_axial_drag ? drag.axial : concentric_axial_drag(n.pipe, hole);
-        force_r = -p.viscosity * drag.radial * v_r;
-        rub = {-p.viscosity * axial * v_l, -p.viscosity * (drag.around * v_t + drag.cross * w_l)};
-        couple = -p.viscosity * (drag.cross * v_t + drag.spin * w_l);
     }
+    if (scene_.features.drag && (c.depth <= 0 || p.contact_drag)) {
+        const double eccentricity = drag_eccentricity(frame.eccentricity, n.pipe, hole, p.film);
+        DragCoefficients drag = plain_drag_coefficients(eccentricity, n.pipe, hole);
+        if (!p.eccentric_axial_drag) drag.axial = concentric_axial_drag(n.pipe, hole);
+        drag = scaled(drag, p.viscosity);
+        if (p.inertial_flow) {
+            drag = plain_drag_with_inertia(drag, c.flow, n.pipe, std::hypot(v_r, v_t), v_l, w_l);
+        }
+        if (p.contact_drag) {
+            const double clearance = hole - n.pipe;
+            const double left = (clearance - frame.eccentricity) / (p.film * clearance);
+            const double shear = std::clamp(left, 0.0, 1.0);
+            drag.axial *= shear;
+            drag.cross *= shear;
+            drag.spin *= shear;
+        }
+        force_r -= drag.radial * v_r;
+        rub.axial -= drag.axial * v_l;
+        rub.azimuthal -= drag.around * v_t + drag.cross * w_l;
+        couple -= drag.cross * v_t + drag.spin * w_l;
+    }
+    if (scene_.features.fluid_mass)
+        force_r -= 0.5 * (v_r * v_r + v_t * v_t) * annulus_mass(node, frame.eccentricity).slope;
     return {couple * l, force_r * r + rub.axial * l + rub.azimuthal * t};
 }
 
 /// D_ex V + D_in dU/dt.
 Six PlainStrand::damping(std::size_t node, const Six& velocity, const PlainState& rate) const {
     const DampingCase& d = scene_.damping;
-    Six loss{d.external * velocity.angular, d.external * velocity.linear};
+    Six loss{d.external.rotation * velocity.angular, d.external.translation * velocity.linear};
     const auto add = [&](std::size_t k) {
-        const double scale = d.internal * node_[node].inverse_cell * segment_[k].length / 2;
+        const double share = node_[node].inverse_cell * segment_[k].length / 2;
         const Six& compliance = segment_[k].compliance;
-        loss.angular += scale * compliance.angular.cwiseProduct(rate.stress[k].angular);
-        loss.linear += scale * compliance.linear.cwiseProduct(rate.stress[k].linear);
+        loss.angular +=
+            share * d.internal.rotation * compliance.angular.cwiseProduct(rate.stress[k].angular);
+        loss.linear +=
+            share * d.internal.translation * compliance.linear.cwiseProduct(rate.stress[k].linear);
     };
     if (node > 0) add(node - 1);
     if (node < segment_.size()) add(node);
@@ -235,8 +292,8 @@ Six PlainStrand::damping(std::size_t node, const Six& velocity, const PlainState
 bool PlainStrand::changes(std::size_t node) const {
     if (contact_.empty()) return false;
     const Contact& c = contact_[node];
-    return c.depth > 0 || c.leaves || c.spring.elongation.axial != 0 ||
-           c.spring.elongation.azimuthal != 0;
+    return scene_.features.fluid_mass || c.depth > 0 || c.leaves ||
+           c.spring.elongation.axial != 0 || c.spring.elongation.azimuthal != 0;
 }
 
 void PlainStrand::advance_springs(double dt, std::size_t begin, std::size_t end) {
@@ -245,10 +302,10 @@ void PlainStrand::advance_springs(double dt, std::size_t begin, std::size_t end)
         Contact& c = contact_[k];
         const Tangential slip = {dt * c.slip.axial, dt * c.slip.azimuthal};
         if (friction.law == FrictionLaw::coulomb) {
-            c.spring = coulomb_spring(c.spring, slip, c.normal, c.depth, friction);
+            c.spring = coulomb_spring(c.spring, slip, dt * c.rolling, c.normal, c.depth, friction);
         } else {
-            c.spring = paper_spring(c.spring, slip, node_[k].normal_stiffness * c.depth, c.depth,
-                                    friction);
+            c.spring = paper_spring(c.spring, slip, dt * c.rolling,
+                                    node_[k].normal_stiffness * c.depth, c.depth, friction);
         }
     }
 }
@@ -343,6 +400,7 @@ void PlainDormandPrince::follow_surroundings(double step) {
         if (!strand_.changes(k)) continue;
         strand_.advance_springs(step, k, k + 1);
         strand_.follow_arc(k);
+        strand_.follow_fluid(k);
         strand_.nodes(trial_, rate_.back(), k, k + 1);
     }
     rate_.back().momentum[0] = {};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "drillstrand/scene.hpp"
+#include "forces/added_mass.hpp"
 #include "forces/contact.hpp"
 #include "forces/fluid.hpp"
 #include "forces/surroundings.hpp"
@@ -34,6 +35,10 @@ struct PlainState {
 /// Drag coefficients with the functions of the C library and a branch where Phi needs its series.
 DragCoefficients plain_drag_coefficients(double eccentricity, double pipe, double hole);
 
+/// The drag of the flow's inertia besides, likewise.
+DragCoefficients plain_drag_with_inertia(const DragCoefficients& creeping, const FlowInertia& flow,
+                                         double radius, double across, double along, double spin);
+
 class PlainStrand {
   public:
     /// Constants of the scene; nodes lie in the arcs that hold their initial positions.
@@ -51,12 +56,16 @@ class PlainStrand {
     /// Moves a node whose foot has left its arc of well to the arc that holds it.
     void follow_arc(std::size_t node);
 
+    /// The fluid that moves sideways with a node where it is now.
+    void follow_fluid(std::size_t node);
+
     /// Stress that the outside imposes at the bit.
     void set_bit_stress(const Vector6& stress);
 
     [[nodiscard]] const Pose& pose(std::size_t node) const { return pose_[node]; }
     [[nodiscard]] WellFrame frame_at(std::size_t node) const;
-    /// Whether a node touches the wall, holds a stretched spring or has left its arc.
+    /// Whether a node touches the wall, holds a stretched spring, has left its arc or takes fluid
+    /// along.
     [[nodiscard]] bool changes(std::size_t node) const;
 
   private:
@@ -66,6 +75,7 @@ class PlainStrand {
     };
     struct Node {
         double inverse_cell, weight, pipe, normal_stiffness, normal_damping;
+        double mass, inside, displaced;
         Six inverse_inertia;
     };
     struct Contact {
@@ -74,7 +84,8 @@ class PlainStrand {
         double end_cosine, reach;
         FrictionSpring spring;
         Tangential slip;
-        double depth, normal;
+        double depth, normal, rolling, fluid_mass;
+        FlowInertia flow;
         bool leaves;
     };
 
@@ -82,6 +93,7 @@ class PlainStrand {
     [[nodiscard]] Six surroundings(std::size_t node, const Six& velocity);
     [[nodiscard]] Six damping(std::size_t node, const Six& velocity, const PlainState& rate) const;
     void enter_arc(std::size_t node, std::size_t arc);
+    [[nodiscard]] AddedMass annulus_mass(std::size_t node, double eccentricity) const;
 
     const Scene& scene_;
     SurroundingsParameters parameters_;

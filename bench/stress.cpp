@@ -113,8 +113,8 @@ std::string describe(const Case& input) {
         input.contact.normal_stiffness, input.contact.tangential_stiffness,
         input.contact.restitution ? fmt::format("e={:.2f}", *input.contact.restitution)
                                   : fmt::format("{:.3g}", input.contact.normal_damping),
-        fluid.density, fluid.drag ? fluid.viscosity : 0.0, input.damping.internal,
-        input.damping.external, input.damping.kelvin_voigt);
+        fluid.density, fluid.drag ? fluid.viscosity : 0.0, input.damping.internal.translation,
+        input.damping.external.translation, input.damping.kelvin_voigt);
 }
 
 constexpr const char* header =

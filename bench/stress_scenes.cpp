@@ -240,8 +240,9 @@ void draw_contact(Draw& draw, ContactCase& contact) {
 }
 
 void draw_damping(Draw& draw, DampingCase& damping) {
-    if (draw.chance(0.5)) damping.internal = draw.log_uniform(1e-3, 10);
-    if (draw.chance(0.2)) damping.external = draw.log_uniform(1e-2, 10);
+    const auto paper = [](double number) { return DampingPair{number, number}; };
+    if (draw.chance(0.5)) damping.internal = paper(draw.log_uniform(1e-3, 10));
+    if (draw.chance(0.2)) damping.external = paper(draw.log_uniform(1e-2, 10));
     if (draw.chance(0.2)) damping.kelvin_voigt = draw.log_uniform(1e-6, 1e-3);
 }
 
