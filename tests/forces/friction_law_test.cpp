@@ -29,7 +29,7 @@ FrictionSpring moved(FrictionSpring spring, Tangential way, int steps, const Fri
                      double normal_force = normal) {
     const Tangential slip = {way.axial / steps, way.azimuthal / steps};
     for (int i = 0; i < steps; ++i)
-        spring = coulomb_spring(spring, slip, normal_force, touching, p);
+        spring = coulomb_spring(spring, slip, 0, normal_force, touching, p);
     return spring;
 }
 
@@ -128,13 +128,13 @@ TEST(Coulomb, FallingNormalForceTakesTheLimitWithIt) {
 TEST(Coulomb, WallThatPullsDoesNotRub) {
     const FrictionSpring stretched = moved({}, {1e-3, 1e-3}, 1000, steel);
     EXPECT_NEAR(size(friction_force(stretched, -normal, steel)), 0, 1e-290);
-    const FrictionSpring spring = coulomb_spring(stretched, {1e-6, 0}, -normal, touching, steel);
+    const FrictionSpring spring = coulomb_spring(stretched, {1e-6, 0}, 0, -normal, touching, steel);
     EXPECT_NEAR(size(spring.elongation), 0, 1e-290);
 }
 
 TEST(Coulomb, SpringIsForgottenInTheOpenHole) {
     const FrictionSpring stretched = moved({}, {1e-3, 1e-3}, 1000, steel);
-    const FrictionSpring spring = coulomb_spring(stretched, {0, 0}, 0, inside, steel);
+    const FrictionSpring spring = coulomb_spring(stretched, {0, 0}, 0, 0, inside, steel);
     EXPECT_EQ(size(spring.elongation), 0);
     EXPECT_EQ(spring.sliding, 0);
 }
@@ -143,6 +143,74 @@ TEST(Coulomb, SlipOfASpinningPipeIsThatOfItsSurface) {
     const Tangential rolling = slip_velocity(0.2, -0.7, 10, 0.07);
     EXPECT_DOUBLE_EQ(rolling.axial, 0.2);
     EXPECT_NEAR(rolling.azimuthal, 0, 1e-15);
+}
+
+// --- rolling
+
+FrictionParameters rolling_steel(double creep, FrictionLaw law = FrictionLaw::coulomb) {
+    return friction_parameters(stiffness, {0.6, 0.6}, {0.42, 0.3}, law, creep);
+}
+
+/// A spring held in both directions while the contact rolls, in equal steps.
+FrictionSpring held_and_rolled(double way, int steps, const FrictionParameters& p) {
+    FrictionSpring spring = {{1e-4 * 0.6, -1e-4 * 0.4}, 0};
+    for (int i = 0; i < steps; ++i) {
+        spring = p.law == FrictionLaw::paper
+                     ? paper_spring(spring, {0, 0}, way / steps, normal, touching, p)
+                     : coulomb_spring(spring, {0, 0}, way / steps, normal, touching, p);
+    }
+    return spring;
+}
+
+// du/ds = -xi k u / (mu_d N): a carpet of bristles of which rolling brings fresh ones in
+TEST(Rolling, RelaxesAHeldSpringExponentially) {
+    for (const FrictionLaw law : {FrictionLaw::coulomb, FrictionLaw::paper}) {
+        const FrictionParameters p = rolling_steel(0.005, law);
+        const double way = 0.02;
+        const FrictionSpring spring = held_and_rolled(way, 100000, p);
+        const double axial = 0.42 * normal / (0.005 * stiffness);  // way of relaxation (m)
+        const double azimuthal = 0.3 * normal / (0.005 * stiffness);
+        EXPECT_NEAR(spring.elongation.axial / (0.6e-4 * std::exp(-way / axial)), 1, 1e-5);
+        EXPECT_NEAR(spring.elongation.azimuthal / (-0.4e-4 * std::exp(-way / azimuthal)), 1, 1e-5);
+        EXPECT_EQ(spring.sliding, 0);
+    }
+}
+
+TEST(Rolling, InOneLongStepLeavesTheImplicitShare) {
+    const double way = 0.5;
+    const FrictionSpring spring = held_and_rolled(way, 1, rolling_steel(0.005));
+    EXPECT_DOUBLE_EQ(spring.elongation.axial,
+                     0.6e-4 / (1 + stiffness * 0.005 * way / (0.42 * normal)));
+}
+
+TEST(Rolling, WithoutCreepLeavesTheSpringAlone) {
+    for (const FrictionLaw law : {FrictionLaw::coulomb, FrictionLaw::paper}) {
+        const FrictionSpring spring = held_and_rolled(10, 100, rolling_steel(0, law));
+        EXPECT_EQ(spring.elongation.axial, 0.6e-4);
+        EXPECT_EQ(spring.elongation.azimuthal, -0.4e-4);
+    }
+}
+
+// Drawn over the wall at a creepage c while it rolls, the force settles at c / xi of mu_d N.
+TEST(Rolling, ForceIsInProportionToTheCreepageAndSaturatesAtXi) {
+    const double creep = 0.005;
+    const FrictionParameters p = rolling_steel(creep);
+    const auto settled = [&](double creepage) {
+        FrictionSpring spring{};
+        constexpr double way = 1e-4;
+        for (int i = 0; i < 100000; ++i)
+            spring = coulomb_spring(spring, {creepage * way, 0}, way, normal, touching, p);
+        return friction_force(spring, normal, p).axial / (0.42 * normal);
+    };
+    EXPECT_NEAR(settled(0.1 * creep), -0.1, 1e-9);
+    EXPECT_NEAR(settled(-0.9 * creep), 0.9, 1e-9);
+    EXPECT_NEAR(settled(10 * creep), -1, 1e-9);
+}
+
+TEST(Rolling, ContactGoesAroundTheWallAtTheRateOfThePipe) {
+    // a pipe at e = 0.04 m with 0.2 m/s goes around at 5 rad/s: its contact at 5 times 0.11 m
+    EXPECT_NEAR(rolling_speed(-0.2, 0.04, 0.11), 0.55, 1e-15);
+    EXPECT_EQ(rolling_speed(0, 0, 0.11), 0);
 }
 
 // --- the paper's two springs
@@ -155,8 +223,8 @@ Tangential mean_paper_force(Tangential direction) {
     FrictionSpring spring{};
     Tangential sum = {0, 0};
     for (int i = 0; i < steps; ++i) {
-        spring = paper_spring(spring, {step * direction.axial, step * direction.azimuthal}, normal,
-                              touching, p);
+        spring = paper_spring(spring, {step * direction.axial, step * direction.azimuthal}, 0,
+                              normal, touching, p);
         const Tangential force = friction_force(spring, normal, p);
         sum.axial += force.axial / steps;
         sum.azimuthal += force.azimuthal / steps;
@@ -178,15 +246,15 @@ TEST(PaperLaw, SpringsAreIndependentSoThatDiagonalSlidingMeetsMoreThanTheConeAll
 TEST(PaperLaw, SpringBeyondTheStaticLimitIsShortenedToTheDynamicOne) {
     const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, FrictionLaw::paper);
     const double limit = 0.6 * normal / stiffness;
-    const FrictionSpring below = paper_spring({}, {0.999 * limit, 0}, normal, touching, p);
+    const FrictionSpring below = paper_spring({}, {0.999 * limit, 0}, 0, normal, touching, p);
     EXPECT_DOUBLE_EQ(below.elongation.axial, 0.999 * limit);
-    const FrictionSpring past = paper_spring({}, {-1.001 * limit, 0}, normal, touching, p);
+    const FrictionSpring past = paper_spring({}, {-1.001 * limit, 0}, 0, normal, touching, p);
     EXPECT_DOUBLE_EQ(past.elongation.axial, -0.42 * normal / stiffness);
 }
 
 TEST(PaperLaw, SpringsAreForgottenInTheOpenHole) {
     const FrictionParameters p = material({0.6, 0.6}, {0.42, 0.42}, FrictionLaw::paper);
-    const FrictionSpring spring = paper_spring({{1e-4, -1e-4}, 0}, {0, 0}, 0, inside, p);
+    const FrictionSpring spring = paper_spring({{1e-4, -1e-4}, 0}, {0, 0}, 0, 0, inside, p);
     EXPECT_EQ(size(spring.elongation), 0);
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,13 +12,13 @@
 #include "drillstrand/scene.hpp"
 #include "rod/report.hpp"
 #include "rod/strand.hpp"
+#include "support/annular_flow.hpp"
 
 namespace drillstrand {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
 
 /// A string of two pipes that rubs along a bent well; N = 40 leaves a block partly filled.
 Case rubbing_string(const ContactCase& contact, std::optional<FluidCase> fluid) {
@@ -47,8 +46,8 @@ Case rubbing_string(const ContactCase& contact, std::optional<FluidCase> fluid) 
     input.mesh.segment_inertia = true;
     input.head.motion = HeadMotion::free;
     input.contact = contact;
-    input.damping.internal = 3;
-    input.damping.external = 7;
+    input.damping.internal = {3, 0.2};
+    input.damping.external = {7, 0.9};
     return input;
 }
 
@@ -107,9 +106,10 @@ State random_state(const Scene& scene, unsigned seed) {
         Vector6 velocity;
         for (Eigen::Index i = 0; i < 6; ++i)
             velocity[i] = (i == 0 ? 10 : i < 3 ? 0.1 : 0.5) * unit(random);
-        const double m = scene.mesh.node[k].mass;
+        const double sideways = scene.lateral_mass[k];
         Vector6 inertia;
-        inertia << scene.mesh.node[k].polar_inertia, scene.inertia[k], scene.inertia[k], m, m, m;
+        inertia << scene.mesh.node[k].polar_inertia, scene.inertia[k], scene.inertia[k],
+            scene.mesh.node[k].mass, sideways, sideways;
         state.momentum.push_back(inertia.cwiseProduct(velocity));
         state.spring.push_back(
             {{1e-3 * unit(random), 1e-3 * unit(random)}, unit(random) > 0 ? 1.0 : 0.0});
@@ -166,28 +166,44 @@ Surface plain_surroundings(const Scene& scene, std::size_t node, const Vector3d&
         const Vector3d rub = plain_friction(scene.contact, spring, normal, l, t);
         result.force = normal * r + rub;
         result.couple = pipe * rub.dot(t) * l;
-        return result;
     }
-    if (!scene.features.drag) return result;
-    const FluidCase& fluid = *scene.fluid;
-    const double e = std::min(eccentricity, (1 - fluid.film) * (hole - pipe));
-    const double h2 = hole * hole;
-    const double r2 = pipe * pipe;
-    const double big_t = std::sqrt(std::pow(h2 - r2 + e * e, 2) - 4 * e * e * h2);
-    const double d = std::asinh(big_t / (2 * pipe * hole));
-    const double phi = d * std::cosh(d) - std::sinh(d);
-    const double den = 2 * pipe * hole * phi + e * e * d;
-    const double mu = fluid.viscosity;
+    if (!scene.fluid) return result;
+    const test::Annulus annulus = {pipe, hole, eccentricity};
+    const double v_r = velocity.dot(r);
     const double v_t = velocity.dot(t);
-    const double w_l = spin.dot(l);
-    const double force_t = 4 * pi * mu * ((r2 + h2) * v_t - r2 * e * w_l) / den;
-    const double force_r = 4 * pi * mu * std::cosh(d) / phi * velocity.dot(r);
-    const double couple =
-        4 * pi * mu * r2 * ((h2 * phi / std::sinh(d) + e * e) * w_l - e * v_t) / den;
-    const double gap = fluid.axial_drag == AxialDrag::eccentric ? d : std::log(hole / pipe);
-    result.force = -force_r * r - force_t * t - 2 * pi * mu / gap * velocity.dot(l) * l;
-    result.couple = -couple * l;
+    const Eigen::Vector4d motion(v_r, velocity.dot(l), v_t, spin.dot(l));
+    const Eigen::Vector4d drag =
+        test::textbook_drag(*scene.fluid, annulus, {std::hypot(v_r, v_t), motion[1], motion[3]}) *
+        motion;
+    // v^2 grad M / 2
+    const double pushed_in =
+        0.5 * (v_r * v_r + v_t * v_t) * test::lateral_fluid_slope(*scene.fluid, annulus);
+    result.force -= (drag[0] + pushed_in) * r + drag[1] * l + drag[2] * t;
+    result.couple -= drag[3] * l;
     return result;
+}
+
+/// Inertia of a node whose fluid goes along sideways, in body axes.
+Vector6 inertia_at(const Scene& scene, std::size_t node, const Vector3d& position) {
+    const SectionProperties& section = scene.mesh.node[node];
+    const WellCrossSection around =
+        scene.well->project(position, scene.well->find_arc(position, 0));
+    double sideways = section.mass;
+    if (scene.fluid) {
+        sideways += test::lateral_fluid(
+            *scene.fluid, {section.outer_radius, around.radius, (around.axis - position).norm()},
+            section.outer_area - section.metal_area);
+    }
+    Vector6 inertia;
+    inertia << section.polar_inertia, scene.inertia[node], scene.inertia[node], section.mass,
+        sideways, sideways;
+    return inertia;
+}
+
+Vector6 six_of(const DampingPair& damping) {
+    Vector6 six;
+    six << Vector3d::Constant(damping.rotation), Vector3d::Constant(damping.translation);
+    return six;
 }
 
 /// Momentum rates of all nodes in body axes, with unloaded ends.
@@ -197,10 +213,7 @@ std::vector<Vector6> plain_rates(const Scene& scene, const State& state, int& to
     const StringMesh& mesh = scene.mesh;
     std::vector<Vector6> velocity;
     for (std::size_t k = 0; k < nodes; ++k) {
-        const double m = mesh.node[k].mass;
-        Vector6 inertia;
-        inertia << mesh.node[k].polar_inertia, scene.inertia[k], scene.inertia[k], m, m, m;
-        velocity.push_back(state.momentum[k].cwiseQuotient(inertia));
+        velocity.push_back(state.momentum[k].cwiseQuotient(inertia_at(scene, k, pose[k].position)));
     }
     // stress, -ad*_U S and dU/dt of a segment
     struct Segment {
@@ -229,6 +242,8 @@ std::vector<Vector6> plain_rates(const Scene& scene, const State& state, int& to
         segment.strain_rate = (velocity[k + 1] - velocity[k]) / mesh.length[k] + carried;
         segments.push_back(segment);
     }
+    const Vector6 internal = six_of(scene.damping.internal);
+    const Vector6 external = six_of(scene.damping.external);
     std::vector<Vector6> rates;
     for (std::size_t k = 0; k < nodes; ++k) {
         const double h = mesh.length.front();
@@ -237,16 +252,17 @@ std::vector<Vector6> plain_rates(const Scene& scene, const State& state, int& to
         if (k + 1 < nodes) {
             const Segment& s = segments[k];
             rate += (s.stress + h / 2 * s.turned) / cell;
-            rate -= scene.damping.internal * (h / 2) / cell * s.strain_rate;
+            rate -= (h / 2) / cell * internal.cwiseProduct(s.strain_rate);
         }
         if (k > 0) {
             const Segment& s = segments[k - 1];
             rate -= (s.stress - h / 2 * s.turned) / cell;
-            rate -= scene.damping.internal * (h / 2) / cell * s.strain_rate;
+            rate -= (h / 2) / cell * internal.cwiseProduct(s.strain_rate);
         }
-        rate -= scene.damping.external * velocity[k];
+        rate -= external.cwiseProduct(velocity[k]);
         const Vector3d w = velocity[k].head<3>();
-        rate.head<3>() += state.momentum[k].head<3>().cross(w);
+        rate.head<3>() += state.momentum[k].head<3>().cross(w) +
+                          state.momentum[k].tail<3>().cross(velocity[k].tail<3>());
         rate.tail<3>() += state.momentum[k].tail<3>().cross(w);
 
         const Matrix3d& frame = pose[k].frame;
@@ -284,7 +300,7 @@ std::vector<Vector6> kernel_rates(const Scene& scene, const State& state) {
     }
     const std::size_t blocks = table.blocks();
     std::vector<Pose> block_start(blocks);
-    segment_pass(model, table, rate, work, 0, blocks);
+    segment_pass(model, table, rate, work, wall, 0, blocks);
     chain_blocks(state.head, work, block_start, blocks);
     set_head_wrench(work, Vector6::Zero());
     set_bit_wrench(work, nodes - 1, Vector6::Zero());
@@ -337,6 +353,14 @@ FluidCase mud() {
     return fluid;
 }
 
+FluidCase papers_mud() {
+    FluidCase fluid = mud();
+    fluid.regime = FlowRegime::laminar;
+    fluid.contact_drag = false;
+    fluid.added_mass = false;
+    return fluid;
+}
+
 TEST(NodeForce, OfADryWellIsThatOfPlainCode) {
     expect_equal_rates(rubbing_string(wall(), std::nullopt));
 }
@@ -345,8 +369,37 @@ TEST(NodeForce, InMudIsThatOfPlainCode) {
     expect_equal_rates(rubbing_string(wall(), mud()));
 }
 
-TEST(NodeForce, WithThePapersAxialDragIsThatOfPlainCode) {
+TEST(NodeForce, InThePapersMudIsThatOfPlainCode) {
+    expect_equal_rates(rubbing_string(wall(), papers_mud()));
+}
+
+TEST(NodeForce, InLaminarMudThatDragsInContactIsThatOfPlainCode) {
+    FluidCase fluid = papers_mud();
+    fluid.contact_drag = true;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+}
+
+TEST(NodeForce, InMudWithoutMassIsThatOfPlainCode) {
     FluidCase fluid = mud();
+    fluid.added_mass = false;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+}
+
+TEST(NodeForce, InMudWithoutDragIsThatOfPlainCode) {
+    FluidCase fluid = mud();
+    fluid.drag = false;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+}
+
+TEST(NodeForce, InMudWithoutViscosityAroundAnEmptyPipeIsThatOfPlainCode) {
+    FluidCase fluid = mud();
+    fluid.viscosity = 0;
+    fluid.inside = InsideOfPipe::empty;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+}
+
+TEST(NodeForce, WithThePapersAxialDragIsThatOfPlainCode) {
+    FluidCase fluid = papers_mud();
     fluid.axial_drag = AxialDrag::concentric;
     expect_equal_rates(rubbing_string(wall(), fluid));
 }

@@ -8,6 +8,7 @@
 
 #include "forces/implicit_contact.hpp"
 #include "forces/surroundings.hpp"
+#include "support/annular_flow.hpp"
 
 namespace drillstrand::test {
 
@@ -150,39 +151,67 @@ void add_internal_damping(const Scene& scene, const PlainRod& rod, std::size_t k
                        twisting / (1 + a.director.dot(b.director)) * (a.director + b.director);
     const Vector3d lean = h / 2 * strain.chord.cross(n);
     // D_in acts on the node toward the bit
-    const double internal = scene.damping.internal * scene.mesh.cell[k + 1];
+    const DampingPair& internal = scene.damping.internal;
+    const Vector3d slowed = internal.translation * scene.mesh.cell[k + 1] * g_rate;
+    const Vector3d stilled = internal.rotation * scene.mesh.cell[k + 1] * k_rate;
     on_a.force += n;
-    on_b.force += -n - internal * g_rate;
+    on_b.force += -n - slowed;
     on_a.couple += m + lean;
-    on_b.couple += -m + lean - internal * k_rate;
+    on_b.couple += -m + lean - stilled;
     on_a.torque += twisting;
-    on_b.torque += -twisting - internal * k_rate.dot(b.director);
+    on_b.torque += -twisting - stilled.dot(b.director);
 }
 
 Vector3d turned(const Vector3d& v, double angle, const Vector3d& axis) {
     return Eigen::AngleAxisd(angle, axis) * v;
 }
 
-/// Contact, friction and drag.
-void surround(const Scene& scene, std::size_t k, double kick, const Vector3d& position,
-              PlainNode& node, Vector3d& v, double& spin, StepAccount& account) {
+/// Velocity after forces on a pipe that takes fluid along sideways, from that of the pipe alone.
+Vector3d shared_with_fluid(const Vector3d& after, const Vector3d& before, const Vector3d& along,
+                           double mass, double fluid) {
+    return after - fluid / (mass + fluid) * across(after - before, along);
+}
+
+/// Fluid that moves along, contact, friction and drag. Returns the well's direction.
+Vector3d surround(const Scene& scene, std::size_t k, double kick, const PlainNode& last,
+                  PlainNode& node, Vector3d& v, Vector3d& v_rod, double& spin,
+                  StepAccount& account) {
     const SurroundingsParameters p = surroundings_parameters(scene);
+    const Vector3d& position = last.position;
     const WellCrossSection section =
         scene.well->project(position, scene.well->find_arc(position, 0));
-    const double pipe = scene.mesh.node[k].outer_radius;
-    const double hole = section.radius;
+    const SectionProperties& properties = scene.mesh.node[k];
+    const double pipe = properties.outer_radius;
     const double eccentricity = (section.axis - position).norm();
+    const Annulus annulus = {pipe, section.radius, eccentricity};
     Matrix3d frame;  // r, l, t
     frame.col(0) = (section.axis - position).normalized();
     frame.col(1) = section.direction;
     frame.col(2) = frame.col(0).cross(frame.col(1));
+    const double mass = properties.mass;
+    const double polar = properties.polar_inertia;
+
+    if (scene.features.fluid_mass) {
+        const double bore = properties.outer_area - properties.metal_area;
+        node.fluid_mass = lateral_fluid(*scene.fluid, annulus, bore);
+        v = shared_with_fluid(v, last.velocity, frame.col(1), mass, node.fluid_mass);
+        v_rod = shared_with_fluid(v_rod, last.velocity, frame.col(1), mass, node.fluid_mass);
+        // v^2 grad M / 2 - v dM/dt, grad M = -slope r
+        const double slope = lateral_fluid_slope(*scene.fluid, annulus);
+        const Vector3d mean = across(last.velocity + v_rod, frame.col(1)) / 2;
+        const Vector3d force =
+            -slope * mean.squaredNorm() / 2 * frame.col(0) + slope * mean.dot(frame.col(0)) * mean;
+        const double rate = kick * std::abs(slope) / (mass + node.fluid_mass) * mean.norm();
+        const Vector3d push = kick / (mass + node.fluid_mass) / (1 + rate) * force;
+        v += push;
+        v_rod += push;
+    }
+
     const Vector3d before = frame.transpose() * v;
     Vector3d u = before;
-    const double mass = scene.mesh.node[k].mass;
-    const double polar = scene.mesh.node[k].polar_inertia;
-    const Mobility mobility = {kick / mass, kick / polar};
-
-    const double depth = eccentricity + pipe - hole;
+    const double sideways = mass + node.fluid_mass;
+    const Mobility mobility = {kick / sideways, kick / mass, kick / polar};
+    const double depth = eccentricity + pipe - section.radius;
     if (depth > 0) {
         // spring and dashpot at the end of the step
         const double resistance = scene.normal_damping[k] + kick * scene.normal_stiffness[k];
@@ -191,43 +220,41 @@ void surround(const Scene& scene, std::size_t k, double kick, const Vector3d& po
         const double circling = std::abs(u[2]) * way /
                                 (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
         double normal = (scene.normal_stiffness[k] * depth - resistance * (u[0] - circling)) /
-                        (1 + resistance * kick / mass);
+                        (1 + resistance * kick / sideways);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         const WellVelocity star = {u[0], u[1], u[2], spin};
+        // the contact goes around the wall as the pipe went around the axis
+        const double rolled =
+            kick * std::abs(last.velocity.dot(frame.col(2))) / eccentricity * section.radius;
         const FrictionStep rub =
             scene.contact.law == FrictionLaw::coulomb
-                ? coulomb_step(node.spring, star, normal, depth, pipe, kick, mobility, p.friction)
-                : paper_step(node.spring, star, scene.normal_stiffness[k] * depth, depth, pipe,
-                             kick, mobility, p.friction);
+                ? coulomb_step(node.spring, star, normal, depth, rolled, pipe, kick, mobility,
+                               p.friction)
+                : paper_step(node.spring, star, scene.normal_stiffness[k] * depth, depth, rolled,
+                             pipe, kick, mobility, p.friction);
         account.impacts += node.depth <= 0 ? 1 : 0;
         account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
         node.spring = rub.spring;
-        u += kick / mass * Vector3d(normal, rub.force.axial, rub.force.azimuthal);
+        u += kick *
+             Vector3d(normal / sideways, rub.force.axial / mass, rub.force.azimuthal / sideways);
         spin += kick / polar * pipe * rub.force.azimuthal;
     } else {
         node.spring = {};
-        if (scene.features.drag) {
-            const double e = std::min(eccentricity, (1 - scene.fluid->film) * (hole - pipe));
-            const DragCoefficients c = drag_coefficients(e, pipe, hole);
-            const double axial = scene.fluid->axial_drag == AxialDrag::eccentric
-                                     ? c.axial
-                                     : concentric_axial_drag(pipe, hole);
-            Eigen::Matrix4d drag = Eigen::Matrix4d::Zero();  // of (v_r, v_l, v_t, spin)
-            drag(0, 0) = c.radial;
-            drag(1, 1) = axial;
-            drag.bottomRightCorner<2, 2>() << c.around, c.cross, c.cross, c.spin;
-            const Eigen::Vector4d inertia(mass, mass, mass, polar);
-            const Eigen::Matrix4d system =
-                Eigen::Matrix4d(inertia.asDiagonal()) + kick * scene.fluid->viscosity * drag;
-            const Eigen::Vector4d momentum =
-                inertia.cwiseProduct(Eigen::Vector4d(u[0], u[1], u[2], spin));
-            const Eigen::Vector4d after = system.llt().solve(momentum);
-            u = after.head<3>();
-            spin = after[3];
-        }
+    }
+    if (scene.features.drag) {
+        const Eigen::Matrix4d drag =
+            textbook_drag(*scene.fluid, annulus, {std::hypot(u[0], u[2]), u[1], spin});
+        const Eigen::Vector4d inertia(sideways, mass, sideways, polar);
+        const Eigen::Matrix4d system = Eigen::Matrix4d(inertia.asDiagonal()) + kick * drag;
+        const Eigen::Vector4d momentum =
+            inertia.cwiseProduct(Eigen::Vector4d(u[0], u[1], u[2], spin));
+        const Eigen::Vector4d after = system.llt().solve(momentum);
+        u = after.head<3>();
+        spin = after[3];
     }
     node.depth = depth;
     v += frame * (u - before);
+    return frame.col(1);
 }
 
 }  // namespace
@@ -281,18 +308,25 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
             (Matrix3d::Identity() + turning(before.spin)) * before.angular_velocity;
         Vector3d w = (Matrix3d::Identity() - turning(spin)).fullPivLu().solve(given);
 
-        const Vector3d v_rod = v;
+        Vector3d v_rod = v;
         const Vector3d w_rod = w;
         const double spin_rod = spin;
-        const double external = scene.damping.external;
-        v = (v + kick / mass * damping[k].force / cell) / (1 + kick / mass * external);
+        const DampingPair& external = scene.damping.external;
+        v = (v + kick / mass * damping[k].force / cell) / (1 + kick / mass * external.translation);
         w = (w + kick / inertia * across(damping[k].couple, t) / cell) /
-            (1 + kick / inertia * external);
-        spin = (spin + kick / polar * damping[k].torque / cell) / (1 + kick / polar * external);
-        if (scene.features.well) surround(scene, k, kick, before.position, node, v, spin, account);
-        account.outflow -= cell * (mass * (v - v_rod).dot(before.velocity + v) / 2 +
-                                   inertia * (w - w_rod).dot(before.angular_velocity + w) / 2 +
-                                   polar * (spin - spin_rod) * (before.spin + spin) / 2);
+            (1 + kick / inertia * external.rotation);
+        spin = (spin + kick / polar * damping[k].torque / cell) /
+               (1 + kick / polar * external.rotation);
+        Vector3d along = t;
+        if (scene.features.well)
+            along = surround(scene, k, kick, before, node, v, v_rod, spin, account);
+        const Vector3d change = v - v_rod;
+        const Vector3d mean = (before.velocity + v) / 2;
+        account.outflow -=
+            cell * (mass * change.dot(mean) +
+                    node.fluid_mass * across(change, along).dot(across(mean, along)) +
+                    inertia * (w - w_rod).dot(before.angular_velocity + w) / 2 +
+                    polar * (spin - spin_rod) * (before.spin + spin) / 2);
 
         node.velocity = v;
         node.angular_velocity = w;

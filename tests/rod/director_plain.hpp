@@ -1,7 +1,7 @@
 /// One step of the director rod (engine/rod/README.md, "Director rod") written node by node, with
 /// nothing from the vector kernels: rotations by quaternions and angle-axis, areas by parallel
-/// transport, drag by a dense solve. Friction and drag coefficients of one node are the engine's,
-/// held to their own tests in tests/forces.
+/// transport, drag by textbooks and a dense solve. Friction of one node is the engine's, held to
+/// its own tests in tests/forces.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,8 @@ struct PlainNode {
     Eigen::Vector3d material;                    ///< d1
     double spin = 0;
     FrictionSpring spring{};
-    double depth = 0;  ///< of penetration, at the step before
+    double depth = 0;       ///< of penetration, at the step before
+    double fluid_mass = 0;  ///< that moves sideways along (kg/m)
 };
 
 struct PlainRod {

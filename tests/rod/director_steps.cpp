@@ -76,6 +76,7 @@ StepAccount kernel_director_step(const Scene& scene, PlainRod& rod, const EndLoa
             {wall.row(WallRow::elongation_axial)[k], wall.row(WallRow::elongation_azimuthal)[k]},
             wall.row(WallRow::sliding)[k]};
         node.depth = wall.row(WallRow::depth)[k];
+        node.fluid_mass = wall.row(WallRow::fluid_mass)[k];
     }
     return account;
 }

@@ -73,6 +73,16 @@ TEST(ElementaryFunctions, LogarithmAgreesWithTheMathematicsLibrary) {
     EXPECT_EQ(log1p_nonnegative(0.0), 0.0);
 }
 
+TEST(ElementaryFunctions, ExponentialAgreesWithTheMathematicsLibrary) {
+    double worst = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const double x = 1e-4 * i;
+        worst = std::max(worst, std::abs(exp_of_minus(x) / std::exp(-x) - 1));
+    }
+    EXPECT_LT(worst, 1e-11);
+    EXPECT_EQ(exp_of_minus(0.0), 1.0);
+}
+
 TEST(ElementaryFunctions, ArctangentRatioAgreesWithTheMathematicsLibrary) {
     double worst = 0;
     for (int i = 1; i <= 100000; ++i) {

@@ -118,8 +118,11 @@ PlainRates plain_rates(const Scene& scene, const Pose& head, const PlainState& s
         const Vector6 inertial = joined(pi.cross(w) + p.cross(v), p.cross(w));
         const Vector6 weight =
             joined(Vector3d::Zero(), scene.weight[i] * (poses[i].frame.transpose() * scene.down));
-        const Vector6 damping =
-            -scene.damping.external * velocity - scene.damping.internal * neighbours_strain_rate;
+        const DampingPair& external = scene.damping.external;
+        const DampingPair& internal = scene.damping.internal;
+        const Vector6 damping = -joined(external.rotation * w, external.translation * v) -
+                                joined(internal.rotation * neighbours_strain_rate.head<3>(),
+                                       internal.translation * neighbours_strain_rate.tail<3>());
         result.rate.momentum.emplace_back((after - before) / cell + product + inertial + weight +
                                           damping);
         if (i > 0 || scene.head.motion == HeadMotion::free) {

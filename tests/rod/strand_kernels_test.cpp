@@ -107,7 +107,7 @@ KernelResult kernel_rates(const Scene& scene, const Pose& head, const PlainState
     StrandWorkspace work(nodes);
     Table<WallRow> nothing_around;
     std::vector<Pose> block_start(blocks);
-    segment_pass(model, table, rate, work, 0, blocks);
+    segment_pass(model, table, rate, work, nothing_around, 0, blocks);
     set_head_wrench(work, ends.head);
     set_bit_wrench(work, nodes - 1, ends.bit);
     chain_blocks(head, work, block_start, blocks);
@@ -177,6 +177,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Variant{"OneSegment", 1, ""}, Variant{"OneBlock", 15, ""},
                     Variant{"LastNodeAlone", 32, ""},
                     Variant{"SeveralBlocksDamped", 37, "[damping]\ninternal = 3\nexternal = 20\n"},
+                    Variant{"DampingInPairs", 37,
+                            "[damping]\ninternal_translation = 3\ninternal_rotation = 0.2\n"
+                            "external_translation = 20\nexternal_rotation = 5\n"},
                     Variant{"InternalDampingOnly", 20, "[damping]\ninternal = 5\n"},
                     Variant{"SegmentInertia", 50, "segment_inertia = true\n"}),
     [](const auto& variant) { return variant.param.name; });

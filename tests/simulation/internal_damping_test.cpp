@@ -21,7 +21,7 @@ TEST_P(InternalDamping, NeverMakesATwistedPipeGainEnergy) {
     input.string.components = {pipe};
     input.mesh.segments = 70;
     input.initial.curvature = {0.01, 0, 0};
-    input.damping.internal = GetParam();
+    input.damping.internal = {GetParam(), GetParam()};
     input.run.integrator = IntegratorKind::leapfrog;
     input.run.duration = 10;
     input.run.threads = 1;

@@ -40,7 +40,7 @@ Case rubbing_string(IntegratorKind integrator) {
     input.bit.direction = BitDirection::well;
     input.contact.normal_stiffness = 1e6;
     input.contact.normal_damping = 1e3;
-    input.damping.internal = 1e-2;
+    input.damping.internal = {1e-2, 1e-2};
     input.run.duration = 0.2;
     input.output.interval = 0.02;
     input.output.profile_interval = 0.1;
@@ -166,7 +166,10 @@ const std::vector<Feature> features = {
          input.damping.kelvin_voigt = 1e-5;
          input.string.components[0].curvature = {0, 0.004, 0};
      }},
-    {"OuterDamping", [](Case& input) { input.damping.external = 5; }},
+    {"OuterDamping",
+     [](Case& input) {
+         input.damping.external = {5, 5};
+     }},
     {"FreeHead",
      [](Case& input) {
          input.head.motion = HeadMotion::free;

@@ -64,7 +64,7 @@ Case pressed_string(double length, double inclination, double force) {
     input.bit.weight = ScalarSchedule({0, 4}, {0, force});
     input.bit.direction = BitDirection::well;
     input.contact.static_friction = input.contact.dynamic_friction = {0, 0};
-    input.damping.external = 20;
+    input.damping.external = {20, 20};
     return input;
 }
 

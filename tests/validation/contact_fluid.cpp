@@ -44,7 +44,7 @@ Case casing_in_mud(IntegratorKind integrator, InsideOfPipe inside) {
     input.string.components = {casing};
     input.mesh.segments = 10;
     input.mesh.segment_inertia = true;
-    input.damping.external = 600;  // brings the string to rest within seconds
+    input.damping.external = {600, 600};  // brings the string to rest within seconds
     input.run.integrator = integrator;
     input.run.duration = 8;
     input.run.threads = 1;
@@ -76,6 +76,9 @@ Case sinking_pipe(IntegratorKind integrator, double inclination) {
     FluidCase fluid;
     fluid.density = 1000;
     fluid.viscosity = viscosity;
+    // creeping flow, and the inertia of the pipe alone
+    fluid.regime = FlowRegime::laminar;
+    fluid.added_mass = false;
     input.fluid = fluid;
     input.run.cfl = 1e-3;  // the leapfrog takes drag to first order in its step
     return input;

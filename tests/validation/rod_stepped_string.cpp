@@ -162,7 +162,7 @@ TEST_P(SteppedString, HangsAndBearsALoadWithTheStretchOfItsParts) {
     Case input = string_of(integrator(), {pipe(500), heavy_pipe(300), collar(200)}, 20);
     input.gravity = 9.81;
     input.bit.force = Vector3d(0, 0, 2e5);
-    input.damping.external = 700;
+    input.damping.external = {700, 700};
     input.run.duration = 10;
     // closed form: each part by half of its own weight and by all below; joints lie on nodes
     double below = 2e5;
@@ -181,7 +181,7 @@ TEST_P(SteppedString, StretchesByTheSumOfItsPartsWhereverTheJointsLieInTheMesh) 
     // uniform tension: compliances are averaged over a segment, so that no mesh error is left
     Case input = string_of(integrator(), {pipe(512.3), heavy_pipe(291.1), collar(196.6)}, 7);
     input.bit.force = Vector3d(0, 0, 2e5);
-    input.damping.external = 700;
+    input.damping.external = {700, 700};
     input.run.duration = 10;
     double depth = 0;
     for (const Component& part : input.string.components)
@@ -215,7 +215,7 @@ TEST_P(SteppedString, OnSegmentsOfAllLengthsHangsAsOnEqualOnes) {
     Case input = string_of(integrator(), {pipe(1000)}, static_cast<int>(lengths.size()));
     input.gravity = 9.81;
     input.bit.force = Vector3d(0, 0, 2e5);
-    input.damping.external = 500;
+    input.damping.external = {500, 500};
     input.run.duration = 8;
     const SectionProperties section = section_properties(pipe(1000), 1);
     const double weight = section.mass * input.gravity * 1000;
@@ -239,7 +239,7 @@ Deflection stepped_cantilever(IntegratorKind integrator, double first, double se
         integrator, {collar(first), heavy_pipe(second), pipe(length - first - second)}, segments);
     input.head.direction = Vector3d(1, 0, 0);
     input.bit.force = Vector3d(0, 0, force);
-    input.damping.external = 150;
+    input.damping.external = {150, 150};
     input.run.duration = 12;
     Deflection deflection;
     double from = 0;
