@@ -428,9 +428,12 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
                 c_l -= drag.cross * v_t + drag.spin * w_l;
             }
             if constexpr (heavy) {
-                // the fluid's v^2 grad M / 2; its v dM/dt is in the momentum
+                // the fluid's v^2 grad M / 2; its v dM/dt is in the momentum. Its power is that of
+                // the changing mass, -v^2 dM/dt / 2: both move energy within what moves sideways
                 const AddedMass annulus = around_node.annulus_mass(k, frame.eccentricity, film);
-                f_r -= 0.5 * (v_r * v_r + v_t * v_t) * annulus.slope;
+                const double by_fluid = -0.5 * (v_r * v_r + v_t * v_t) * annulus.slope;
+                f_r += by_fluid;
+                power -= c.mobile_cell[k] * by_fluid * v_r;
             }
             push = combine(1.0, combine(f_r, r, f_l, l), f_t, t);
             couple = combine(c_l, l, 0.0, l);
@@ -466,7 +469,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
         if constexpr (in_well || with_damping) {
             pi_dot = combine(1.0, pi_dot, 1.0, couple);
             p_dot = combine(1.0, p_dot, 1.0, push);
-            power = c.mobile_cell[k] * (dot(couple, w) + dot(push, v));
+            power += c.mobile_cell[k] * (dot(couple, w) + dot(push, v));
         }
         out.pi.set(k, pi_dot);
         out.p.set(k, p_dot);
