@@ -489,12 +489,14 @@ struct RodNodes {
 template <bool heavy>
 struct WellNodes {
     WellNodes(const DirectorModel& model, Table<WallRow>& table, const NodeConstants& constants,
-              const NodesIn& nodes, const HeldRows& held, std::ptrdiff_t first, double kick_s)
+              const NodesIn& nodes, const HeldRows& held, std::ptrdiff_t first, double kick_s,
+              double drift_s)
         : c(constants),
           in(nodes),
           wall(model.surroundings, table, first),
           h(held),
           kick(kick_s),
+          drift(drift_s),
           friction(model.surroundings.parameters().friction),
           least_normal(model.surroundings.parameters().least_normal),
           restitution(model.surroundings.parameters().restitution),
@@ -507,7 +509,7 @@ struct WellNodes {
     NodesIn in;
     WallRows wall;
     HeldRows h;
-    double kick;
+    double kick, drift;
     FrictionParameters friction;
     double least_normal, restitution, viscosity, film, wet_in_contact, eccentric_axial;
 
@@ -582,7 +584,8 @@ struct WellNodes {
 
     DRILLSTRAND_INLINE void press(std::size_t k) const {
         const Mobility m = mobility(k);
-        const double approach = h.u_r[k] - circling_speed(h.eccentricity[k], h.u_t[k], kick);
+        // positions go straight on for a drift: none where a whole step is looked at
+        const double approach = h.u_r[k] - circling_speed(h.eccentricity[k], h.u_t[k], drift);
         const double normal = implicit_normal_force(wall.depth[k], approach, wall.stiffness[k],
                                                     wall.dashpot[k], least_normal, kick, m);
         wall.normal[k] = normal;
@@ -696,7 +699,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     if constexpr (!in_well) {
         return {ordered_sum(outflow, count), 0.0, 0.0, 0.0, faults};
     } else {
-        const WellNodes<heavy> well(model, wall, nodes.c, nodes.in, held, first, kick);
+        const WellNodes<heavy> well(model, wall, nodes.c, nodes.in, held, first, kick, drift);
         double leavers = 0.0;
         double touching = 0.0;
         double touched = 0.0;

@@ -173,9 +173,9 @@ Vector3d shared_with_fluid(const Vector3d& after, const Vector3d& before, const 
 }
 
 /// Fluid that moves along, contact, friction and drag. Returns the well's direction.
-Vector3d surround(const Scene& scene, std::size_t k, double kick, const PlainNode& last,
-                  PlainNode& node, Vector3d& v, Vector3d& v_rod, double& spin,
-                  StepAccount& account) {
+Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
+                  const PlainNode& last, PlainNode& node, Vector3d& v, Vector3d& v_rod,
+                  double& spin, StepAccount& account) {
     const SurroundingsParameters p = surroundings_parameters(scene);
     const Vector3d& position = last.position;
     const WellCrossSection section =
@@ -216,7 +216,7 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, const PlainNod
         // spring and dashpot at the end of the step
         const double resistance = scene.normal_damping[k] + kick * scene.normal_stiffness[k];
         // what a straight step needs to stay at its distance from the axis
-        const double way = std::min(kick * std::abs(u[2]), eccentricity);
+        const double way = std::min(drift * std::abs(u[2]), eccentricity);
         const double circling = std::abs(u[2]) * way /
                                 (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
         double normal = (scene.normal_stiffness[k] * depth - resistance * (u[0] - circling)) /
@@ -319,7 +319,7 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
                (1 + kick / polar * external.rotation);
         Vector3d along = t;
         if (scene.features.well)
-            along = surround(scene, k, kick, before, node, v, v_rod, spin, account);
+            along = surround(scene, k, kick, drift, before, node, v, v_rod, spin, account);
         const Vector3d change = v - v_rod;
         const Vector3d mean = (before.velocity + v) / 2;
         account.outflow -=
