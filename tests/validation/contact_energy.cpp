@@ -29,7 +29,7 @@ Case rubbing_string(IntegratorKind integrator, int segments) {
     input.contact.normal_stiffness = 1e6;
     input.contact.normal_damping = 1e3;
     input.contact.tangential_stiffness = 1e5;
-    input.run.duration = 1;
+    input.run.duration = 1.5;
     input.output.interval = 0.01;
     return input;
 }
@@ -68,8 +68,9 @@ TEST_P(Energy, OfARubbingStringIsAccountedForAndDissipationOnlyGrows) {
 // differ by a part that falls with the square of its length.
 TEST(Energy, ResidualOfTheRodOfArcsFallsWithTheSquareOfItsSegments) {
     const auto residual = [](int segments) {
-        return std::abs(
-            account_of(rubbing_string(IntegratorKind::dormand_prince, segments)).residual);
+        Case input = rubbing_string(IntegratorKind::dormand_prince, segments);
+        input.fluid->added_mass = false;  // follows the place once a step, an error of its own
+        return std::abs(account_of(input).residual);
     };
     EXPECT_LT(residual(30), 0.35 * residual(15));
 }
@@ -77,6 +78,8 @@ TEST(Energy, ResidualOfTheRodOfArcsFallsWithTheSquareOfItsSegments) {
 TEST(Energy, ResidualOfTheLeapfrogFallsWithTheSquareOfItsStep) {
     const auto residual = [](double cfl) {
         Case input = rubbing_string(IntegratorKind::leapfrog, 60);
+        // across the well in the steps, across the pipe in the account: hides less than 1e-4
+        input.fluid->added_mass = false;
         input.run.cfl = cfl;
         return std::abs(account_of(input).residual);
     };
