@@ -596,7 +596,7 @@ struct WellNodes {
     /// sooner than a step can tell. A node that came to the wall with `speed` is sent back with e
     /// times that speed, and from the instant of its touch-down on: the way that it went past the
     /// wall it makes good besides the drift.
-    DRILLSTRAND_INLINE void rebound(std::size_t k, double drift) const {
+    DRILLSTRAND_INLINE void rebound(std::size_t k) const {
         const double across = mobility(k).across;
         const double coming = -dot(in.v[k], at(h.r, k));
         const double speed = coming > 0.0 ? coming : 0.0;
@@ -724,7 +724,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
             if (bounces) {
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
-                    well.rebound(k, drift);
+                    well.rebound(k);
             }
             if (well.friction.law == FrictionLaw::paper) {
 #pragma omp simd reduction(+ : slips)
