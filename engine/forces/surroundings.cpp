@@ -51,6 +51,7 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     SurroundingsParameters p;
     const ContactCase& contact = scene.contact;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
+    p.restitution = contact.restitution.value_or(-1.0);
     p.friction =
         friction_parameters(contact.tangential_stiffness,
                             {contact.static_friction.axial, contact.static_friction.azimuthal},

@@ -102,7 +102,7 @@ TEST_F(Program, CheckPrintsEveryDamping) {
                                "--set", "damping.internal=0.5"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(ending.out, AllOf(HasSubstr("Kelvin-Voigt damping, 0.00125 s times"),
-                                  HasSubstr("internal 0.5 N s/m")));
+                                  HasSubstr("0.5 N s/m of stretch, 0.5 N m s of bending")));
 }
 
 TEST_F(Program, CheckAdvisesAStartAtRestWhereAStringWouldFallInItsWell) {
