@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "support/run_case.hpp"
+#include "simulation/pipe_in_hole.hpp"
 
 namespace drillstrand::test {
 namespace {
@@ -20,25 +20,8 @@ using testing::Not;
 
 /// A pipe in a hole whose loads change until `loads_end` (s).
 Scene scene_with(double loads_end, bool in_well = true) {
-    Case input = case_from(R"(
-        [[string.component]]
-        length = 60
-        linear_density = 34.0
-        outer_diameter = 0.14
-        inner_diameter = 0.11
-        youngs_modulus = "200 GPa"
-        [mesh]
-        segments = 12
-        [run]
-        duration = 1
-        )");
+    Case input = in_well ? pipe_in_hole() : plain_pipe();
     input.bit.weight = ScalarSchedule({0, loads_end}, {0, 65e3});
-    if (in_well) {
-        WellCase hole;
-        hole.survey = {{0, 0, 0}, {100, 0, 0}};
-        hole.sections = {{100, 0.24}};
-        input.well = hole;
-    }
     return build_scene(input);
 }
 

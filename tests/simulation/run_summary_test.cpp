@@ -5,6 +5,7 @@
 
 #include "drillstrand/error.hpp"
 #include "drillstrand/simulation.hpp"
+#include "simulation/pipe_in_hole.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand::test {
@@ -13,26 +14,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Case pipe_in_hole(const std::string& more) {
-    Case input = case_from(R"(
-        [[string.component]]
-        length = 60
-        linear_density = 34.0
-        outer_diameter = 0.14
-        inner_diameter = 0.11
-        youngs_modulus = "200 GPa"
-        [mesh]
-        segments = 12
-        [run]
-        duration = 1
-        )" + more);
-    WellCase hole;
-    hole.survey = {{0, 0, 0}, {100, 0, 0}};
-    hole.sections = {{100, 0.24}};  // 50 mm of clearance
-    input.well = hole;
-    return input;
-}
 
 RunSummary summary() {
     static const Scene scene = build_scene(pipe_in_hole(""));
