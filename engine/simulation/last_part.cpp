@@ -98,13 +98,17 @@ const char* way(const Sample& mean) {
 }
 
 std::string drag_text(const Sample& mean) {
-    std::string text =
-        fmt::format("friction of {:.4g} kN {} the well", 1e-3 * std::abs(mean.drag), way(mean));
-    if (mean.drag_size > 0)
+    constexpr double noticeable = 10;  // N
+    const bool drags = std::abs(mean.drag) >= noticeable;
+    std::string text = "no friction along the well";
+    if (drags)
+        text =
+            fmt::format("friction of {:.4g} kN {} the well", 1e-3 * std::abs(mean.drag), way(mean));
+    if (drags && mean.drag_size > 0)
         text +=
             fmt::format(", middle at {:.4g} m of measured depth", mean.drag_depth / mean.drag_size);
     text += fmt::format("; weight on bit {:.4g} kN", 1e-3 * mean.weight_on_bit);
-    if (mean.weight_on_bit > 0)
+    if (drags && mean.weight_on_bit > 0)
         text += fmt::format(" ({:.2f} of it)", std::abs(mean.drag) / mean.weight_on_bit);
     return text + fmt::format(", hook load {:.4g} kN", 1e-3 * mean.hook_load);
 }
