@@ -19,14 +19,15 @@ from concurrent.futures import ThreadPoolExecutor
 import hostile_files
 
 FILE = "hostile.h5"
+ABOVE = ".."  # the folder that holds the cases of all trials
 COMMANDS = {
     "info": ["info", FILE],
     "report": ["report", FILE, "-o", "page.html", "--overwrite"],
     "csv": ["export", FILE, "--csv", "-o", "tables", "--overwrite"],
     "vtk": ["export", FILE, "--vtk", "-o", "lines", "--overwrite"],
-    "restart": ["run", "../well1.toml", "-o", "new.h5", "--restart", FILE],
+    "restart": ["run", f"{ABOVE}/well1.toml", "-o", "new.h5", "--restart", FILE],
     # the last one: it may write over the file where that is drillstrand's own
-    "replace": ["buckling", "../buckling_heavy.toml", "--set", "mesh.segments=9", "-o", FILE,
+    "replace": ["buckling", f"{ABOVE}/buckling_heavy.toml", "--set", "mesh.segments=9", "-o", FILE,
                 "--overwrite"],
 }
 SHOW = ["info", "report", "csv", "vtk"]
