@@ -59,6 +59,14 @@ def text_of(row):
     return cells | {"wall s per s": number(row["wall s per s"], 2)}
 
 
+def tables_of(rows):
+    """The rows of a motion that were run, and which were not."""
+    done = [row for row in rows if row["starts"] or row["failed"]]
+    left = [row["variation"] for row in rows if row not in done]
+    table = [measure.markdown([text_of(row) for row in done])] if done else []
+    return table + ([f"Not run yet: {'; '.join(left)}."] if left else [])
+
+
 def means_of(results, quantity):
     return [result["windows"]["last"][quantity]["mean"] for result in results
             if "failed" not in result]
@@ -117,8 +125,8 @@ def main():
                                         found[motion.name, variation.name],
                                         study.static(motion, variation, motion.word))
                      for variation in variations]
-        rows += of_motion
-        parts += [f"**{motion.name}**", measure.markdown([text_of(row) for row in of_motion])]
+        rows += [row for row in of_motion if row["starts"] or row["failed"]]
+        parts += [f"**{motion.name}**", *tables_of(of_motion)]
     changed = changes(found, motions)
     if changed:
         parts += ["What changes, with its confidence; bold where that is no accident of the starts:",

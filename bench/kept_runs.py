@@ -51,7 +51,8 @@ class KeptRuns:
         return hashlib.sha256(json.dumps(asked).encode()).hexdigest()[:16]
 
     def numbers(self, task):
-        """Of one run; {"failed": why}, which is not kept; None where no time is left."""
+        """Of one run; {"failed": why}, which is kept where physics stopped the run at some time; None
+        where no time is left."""
         key = self.key_of(task)
         if key in self.kept:
             return self.kept[key]
@@ -63,8 +64,11 @@ class KeptRuns:
                 measure.run_case(self.build, task.case, task.settings, task.threads, result)
             except SystemExit as failure:
                 why = str(failure).strip().splitlines()[-1].split("error: ")[-1]
-                return {"failed": why.split("; ")[0]}  # without advice
-            numbers = self.look(result, task.wanted)
+                numbers = {"failed": why.split("; ")[0]}  # without advice
+                if " at t = " not in why:
+                    return numbers
+            else:
+                numbers = self.look(result, task.wanted)
         with self.lock:
             entry = {"key": key, "run": task.label, "numbers": numbers}
             with open(self.path, "a", encoding="utf-8") as file:
