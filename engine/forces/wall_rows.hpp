@@ -43,7 +43,8 @@ struct WallRows {
           slip_azimuthal(wall.row(WallRow::slip_azimuthal) + first),
           rolling(wall.row(WallRow::rolling) + first),
           fluid_mass(wall.row(WallRow::fluid_mass) + first),
-          leaves(wall.row(WallRow::leaves) + first) {}
+          leaves(wall.row(WallRow::leaves) + first),
+          rebounds(wall.row(WallRow::rebounds) + first) {}
 
     ConstTriples start{}, tangent{}, normal_to_axis{};
     const double *curvature = nullptr, *hole = nullptr, *end_cosine = nullptr, *reach = nullptr,
@@ -52,7 +53,7 @@ struct WallRows {
                  *displaced = nullptr, *stiffness = nullptr, *dashpot = nullptr;
     double *elongation_axial = nullptr, *elongation_azimuthal = nullptr, *sliding = nullptr,
            *depth = nullptr, *normal = nullptr, *slip_axial = nullptr, *slip_azimuthal = nullptr,
-           *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr;
+           *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr, *rebounds = nullptr;
 
     DRILLSTRAND_INLINE ArcNumbers arc(std::size_t k) const {
         return {start[k], tangent[k], normal_to_axis[k], curvature[k], hole[k]};

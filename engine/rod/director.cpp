@@ -286,7 +286,7 @@ enum class Around { nothing, wall, mud, streaming_mud };
 /// Velocities and the well frame between the loops of a span in a well.
 struct Held {
     static constexpr std::size_t entries = most_blocks_at_once * block_size;
-    alignas(block_alignment) double line[22][entries];
+    alignas(block_alignment) double line[21][entries];
 
     DRILLSTRAND_INLINE Triples triples(std::size_t i) {
         return {line[i], line[i + 1], line[i + 2]};
@@ -296,8 +296,8 @@ struct Held {
 /// Named lines of what is held: the velocity and the spin after the rod's forces and the damping
 /// (`v`, `s`) and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity
 /// in it (`u`), the eccentricity, what a force across the well does to the velocity (`across`: kick
-/// over the mass that moves sideways), and for a node that came to the wall (`came`) the way that
-/// it rebounds besides the drift (`rebound`, m along r).
+/// over the mass that moves sideways), and 1 where the node came to the wall since the last step
+/// (`came`).
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -312,10 +312,9 @@ struct HeldRows {
           eccentricity(held.line[17]),
           across(held.line[18]),
           fluid_mass(held.line[19]),
-          came(held.line[20]),
-          rebound(held.line[21]) {}
+          came(held.line[20]) {}
     Triples v, v_rod, r, l;
-    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came, *rebound;
+    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came;
 };
 
 DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
@@ -593,24 +592,30 @@ struct WellNodes {
     }
 
     /// Impact with the restitution that the case asks for, in closed form: a collision may be over
-    /// sooner than a step can tell. A node that came to the wall with `speed` is sent back with e
-    /// times that speed, and from the instant of its touch-down on: the way that it went past the
-    /// wall it makes good besides the drift.
+    /// sooner than a step can tell. A node that comes to the wall is sent back with e times its
+    /// speed, before or after the rod's kick, whichever is less: the wall then only takes energy.
+    /// The step took it into the wall without work against its springs: on its way out these do no
+    /// more than hold it and let it out gently, or they would give what they never took.
     DRILLSTRAND_INLINE void rebound(std::size_t k) const {
+        constexpr double gentle = 0.05;  // of the depth in a step
         const double across = mobility(k).across;
+        const double pressed = wall.normal[k];
+        const double star = h.u_r[k] - across * pressed;
         const double coming = -dot(in.v[k], at(h.r, k));
-        const double speed = coming > 0.0 ? coming : 0.0;
-        const double turned = (1.0 + restitution) * speed;
+        const double least = coming < -star ? coming : -star;
+        const double speed = least > 0.0 ? least : 0.0;
         const bool bounces = h.came[k] * speed > 0.0;
-        const double normal = bounces ? turned / across : wall.normal[k];
-        h.u_r[k] += across * (normal - wall.normal[k]);
+        const double out = gentle * wall.depth[k] - kick * star;
+        // who comes out faster than that is not held: that would be work of the wall
+        const bool held = out > 0.0 && kick * coming > -2.0 * gentle * wall.depth[k];
+        const double holding = held ? out / (kick * across) : 0.0;
+        const bool passed = h.came[k] + wall.rebounds[k] > 0.0;
+        const bool inside = wall.depth[k] > 0.0 && passed && holding < pressed;
+        const double rest = inside ? holding : pressed;
+        const double normal = bounces ? (restitution * speed - star) / across : rest;
         wall.normal[k] = normal;
-        const double past = wall.depth[k] < drift * speed ? wall.depth[k] : drift * speed;
-        h.rebound[k] = bounces ? (1.0 + restitution) * past : 0.0;
-    }
-    /// Moves a node by its rebound.
-    DRILLSTRAND_INLINE void make_good(std::size_t k, const Triples& position) const {
-        position.set(k, combine(1.0, at(position, k), h.rebound[k], at(h.r, k)));
+        wall.rebounds[k] = bounces || inside ? 1.0 : 0.0;
+        h.u_r[k] = star + across * normal;
     }
 
     /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
@@ -716,12 +721,11 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
         // pressing and rubbing in two loops: what waits for the one does not hold up the other
         double slips = 0.0;
         const bool contact = touching + touched > 0.0;
-        const bool bounces = well.restitution >= 0.0 && impacts > 0.0;
         if (contact) {
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
                 well.press(k);
-            if (bounces) {
+            if (well.restitution >= 0.0) {
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
                     well.rebound(k);
@@ -763,11 +767,6 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
                 outflow[k] += done.outflow;
                 faults += done.faults;
             }
-        }
-        if (bounces) {
-#pragma omp simd
-            for (std::size_t k = 0; k < count; ++k)
-                well.make_good(k, nodes.out.x);
         }
         return {ordered_sum(outflow, count), impacts, slips, leavers, faults};
     }

@@ -83,6 +83,7 @@ enum class WallRow {
     slip_azimuthal,
     rolling,
     leaves,
+    rebounds,
     touched,
     slid
 };
@@ -112,6 +113,7 @@ inline constexpr auto row_list<WallRow> = std::to_array<RowInfo<WallRow>>({
     {WallRow::slip_azimuthal,       "slip_azimuthal",       "m/s",  1, Extent::nodes, Keep::kept,    "strand's node kernel: velocity of the surface point along t"},
     {WallRow::rolling,              "rolling",              "m/s",  1, Extent::nodes, Keep::kept,    "strand's node kernel: speed of the contact along the wall"},
     {WallRow::leaves,               "leaves",               "1",    1, Extent::nodes, Keep::kept,    "node kernels: 1 where the foot has left the arc, else 0"},
+    {WallRow::rebounds,             "rebounds",             "1",    1, Extent::nodes, Keep::kept,    "director_nodes: 1 where an impact sent the node back and it is still in the wall, else 0"},
     {WallRow::touched,              "touched",              "1",    1, Extent::nodes, Keep::kept,    "dormand-prince: 1 where the node touched after the last step"},
     {WallRow::slid,                 "slid",                 "1",    1, Extent::nodes, Keep::kept,    "dormand-prince: 1 where the node slid after the last step"},
 });
