@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "forces/fluid.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/vector_math.hpp"
 
@@ -79,6 +80,15 @@ DRILLSTRAND_INLINE AddedMass added_mass(double eccentricity, double pipe, double
     const double k_by_e =
         2.0 * eccentricity * inverse_t * (k * (hole2 + pipe2 - e2) * inverse_t - 1.0);
     return {1.0 + 2.0 * sum, 2.0 * (by_k * k_by_e + by_d * d_by_e)};
+}
+
+/// The same at any eccentricity: in the last `film` of the clearance and in the wall it stays what
+/// it is there, as the drag does, and has no slope.
+DRILLSTRAND_INLINE AddedMass added_mass_up_to_film(double eccentricity, double pipe, double hole,
+                                                   double film) {
+    const double at = drag_eccentricity(eccentricity, pipe, hole, film);
+    const AddedMass added = added_mass(at, pipe, hole);
+    return {added.coefficient, at < eccentricity ? 0.0 : added.slope};
 }
 
 }  // namespace drillstrand

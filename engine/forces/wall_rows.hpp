@@ -65,10 +65,8 @@ struct WallRows {
     /// counts as for the drag.
     DRILLSTRAND_INLINE AddedMass annulus_mass(std::size_t k, double eccentricity,
                                               double film) const {
-        const double at = drag_eccentricity(eccentricity, pipe[k], hole[k], film);
-        const AddedMass added = added_mass(at, pipe[k], hole[k]);
-        return {displaced[k] * added.coefficient,
-                at < eccentricity ? 0.0 : displaced[k] * added.slope};
+        const AddedMass added = added_mass_up_to_film(eccentricity, pipe[k], hole[k], film);
+        return {displaced[k] * added.coefficient, displaced[k] * added.slope};
     }
     DRILLSTRAND_INLINE FrictionSpring spring(std::size_t k) const {
         return {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};

@@ -124,6 +124,8 @@ PlainRod random_rod(const Scene& scene, Dice& dice) {
         node.material = dice.vector(1).cross(t).normalized();
         node.spin = dice.between(-5, 5);
         node.depth = dice.between(-1, 1);
+        if (scene.contact.restitution && node.depth > 0)
+            node.rebounds = dice.between(-1, 1) > 0 ? 1.0 : 0.0;
         const double stretch = dice.between(0, 1) * 1e3 / scene.contact.tangential_stiffness;
         node.spring = {{stretch * dice.between(-1, 1), stretch * dice.between(-1, 1)},
                        dice.between(-1, 1) > 0 ? 1.0 : 0.0};
@@ -201,6 +203,9 @@ TEST_P(DirectorKernelsOn, TakeTheStepWrittenNodeByNode) {
         for (std::size_t k = 0; k < start.node.size(); ++k) {
             EXPECT_EQ(found.node[k].spring.sliding, expected.node[k].spring.sliding);
             EXPECT_NEAR(found.node[k].depth, expected.node[k].depth, 1e-13);
+            if (scene.contact.restitution) {
+                EXPECT_EQ(found.node[k].rebounds, expected.node[k].rebounds);
+            }
             EXPECT_NEAR(found.node[k].fluid_mass, expected.node[k].fluid_mass,
                         1e-9 * expected.node[k].fluid_mass);
             if (expected.node[k].depth > 0 && expected.node[k].spring.sliding < 0.5) ++sticking;
@@ -220,6 +225,8 @@ TEST_P(DirectorKernelsOn, TakeTheStepWrittenNodeByNode) {
 constexpr const char* damped = "[damping]\ninternal = 3\nexternal = 200\nkelvin_voigt = 1e-4\n";
 constexpr const char* wall =
     "[contact]\nnormal_stiffness = 1e6\nnormal_damping = 1e4\ntangential_stiffness = 1e5\n";
+constexpr const char* impacts =
+    "[contact]\nnormal_stiffness = 1e6\nrestitution = 0.7\ntangential_stiffness = 1e5\n";
 constexpr const char* pairs =
     "[damping]\ninternal_translation = 3\ninternal_rotation = 0.3\nexternal_translation = 200\n"
     "external_rotation = 20\n";
@@ -260,6 +267,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "[fluid]\ndensity = 1200\nviscosity = 0.05\nregime = \"laminar\"\n"
                     "inside = \"empty\"\n"},
         Variant{"MudWithMassDamped", 37, false, true, std::string(wall) + mud + pairs},
+        Variant{"Impacts", 37, false, true, impacts},
+        Variant{"ImpactsInMudWithMass", 37, false, true, std::string(impacts) + mud},
         Variant{"PullingWall", 37, false, true, std::string(wall) + "tension = true\n"},
         Variant{"PapersLaw", 37, false, true,
                 std::string(wall) + "law = \"paper\"\ntension = true\n"},

@@ -172,6 +172,26 @@ Vector3d shared_with_fluid(const Vector3d& after, const Vector3d& before, const 
     return after - fluid / (mass + fluid) * across(after - before, along);
 }
 
+/// Normal force of a wall with restitution `e` on a node that would move toward the axis with
+/// `star` after all other forces and came toward the wall with `coming`; `pressed`: by spring and
+/// dashpot.
+double normal_of_impact(double e, double pressed, double star, double coming, double depth,
+                        double kick, double mass, bool came, PlainNode& node) {
+    const bool was_sent_back = node.rebounds > 0;
+    node.rebounds = 1;
+    const double speed = std::min(coming, -star);
+    if (came && speed > 0) return mass / kick * (e * speed - star);
+    if (came || was_sent_back) {
+        // no more than lets it out by 5 % of its depth, and nothing where it comes out by itself
+        const double gently = 0.05 * depth / kick;
+        const double holding =
+            coming > -2 * gently ? std::max(mass / kick * (gently - star), 0.0) : 0.0;
+        if (holding < pressed) return holding;
+    }
+    node.rebounds = 0;
+    return pressed;
+}
+
 /// Fluid that moves along, contact, friction and drag. Returns the well's direction.
 Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
                   const PlainNode& last, PlainNode& node, Vector3d& v, Vector3d& v_rod,
@@ -222,6 +242,10 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         double normal = (scene.normal_stiffness[k] * depth - resistance * (u[0] - circling)) /
                         (1 + resistance * kick / sideways);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
+        if (scene.contact.restitution)
+            normal = normal_of_impact(*scene.contact.restitution, normal, u[0],
+                                      -last.velocity.dot(frame.col(0)), depth, kick, sideways,
+                                      last.depth <= 0, node);
         const WellVelocity star = {u[0], u[1], u[2], spin};
         // the contact goes around the wall as the pipe went around the axis
         const double rolled =
@@ -240,6 +264,7 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         spin += kick / polar * pipe * rub.force.azimuthal;
     } else {
         node.spring = {};
+        node.rebounds = 0;
     }
     if (scene.features.drag) {
         const Eigen::Matrix4d drag =

@@ -20,6 +20,7 @@ struct PlainNode {
     double spin = 0;
     FrictionSpring spring{};
     double depth = 0;       ///< of penetration, at the step before
+    double rebounds = 0;    ///< 1 where an impact sent it back and it is still in the wall
     double fluid_mass = 0;  ///< that moves sideways along (kg/m)
 };
 

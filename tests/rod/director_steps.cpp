@@ -40,6 +40,7 @@ StepAccount kernel_director_step(const Scene& scene, PlainRod& rod, const EndLoa
         wall.row(WallRow::elongation_azimuthal)[k] = node.spring.elongation.azimuthal;
         wall.row(WallRow::sliding)[k] = node.spring.sliding;
         wall.row(WallRow::depth)[k] = node.depth;
+        wall.row(WallRow::rebounds)[k] = node.rebounds;
     }
     // beyond the bit, as the integrator leaves it
     const auto beyond = static_cast<std::ptrdiff_t>(nodes);
@@ -76,6 +77,7 @@ StepAccount kernel_director_step(const Scene& scene, PlainRod& rod, const EndLoa
             {wall.row(WallRow::elongation_axial)[k], wall.row(WallRow::elongation_azimuthal)[k]},
             wall.row(WallRow::sliding)[k]};
         node.depth = wall.row(WallRow::depth)[k];
+        node.rebounds = wall.row(WallRow::rebounds)[k];
         node.fluid_mass = wall.row(WallRow::fluid_mass)[k];
     }
     return account;

@@ -62,6 +62,7 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.well = hole;
     }
     if (scenario.name == "PapersLawDamped") input.contact.law = FrictionLaw::paper;
+    if (scenario.name == "Bouncing") input.contact.restitution = 0.8;
     input.run.integrator = kind;
     return input;
 }
@@ -70,6 +71,7 @@ const std::vector<Scenario> scenarios = {
     {"Drilling", pipe_in_well("")},
     {"PapersLawDamped", pipe_in_well("[damping]\ninternal = 1\nexternal = 2\nkelvin_voigt = 1e-5\n"
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
+    {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"FreeHead", R"(
         [[string.component]]
         length = 24

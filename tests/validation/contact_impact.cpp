@@ -25,11 +25,7 @@ Case thrown_pipe(IntegratorKind integrator) {
     Case input = short_pipe(integrator, 0);
     input.gravity = 0;
     input.contact.static_friction = input.contact.dynamic_friction = {0, 0};
-    const double peak = pipe_mass * 0.49 / 0.05;
-    load(
-        input, 0.1, 0.05,
-        [peak](double t) { return Vector3d(0, std::abs(t - 0.05) < 1e-6 ? peak : 0, 0); },
-        [](double) { return Vector3d(Vector3d::Zero()); });
+    push_east(input, pipe_mass * 0.49);
     input.run.cfl = 1e-3;  // the leapfrog takes the wall to first order in its step
     input.run.absolute_tolerance = 1e-9;
     input.run.relative_tolerance = 1e-7;

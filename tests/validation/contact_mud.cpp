@@ -131,10 +131,7 @@ TEST_P(FluidMass, TakesSpeedFromAPipeThatComesNearTheWall) {
     const auto mass_at = [&](double e) {
         return pipe_mass + lateral_fluid(*input.fluid, {pipe_radius, hole_radius, e}, bore);
     };
-    const double push = 0.05 * mass_at(0) / 0.05;
-    load(
-        input, 0.1, 0.05,
-        [push](double t) { return Vector3d(0, std::abs(t - 0.05) < 1e-6 ? push : 0, 0); }, none);
+    push_east(input, 0.05 * mass_at(0));
     input.run.duration = 0.8;
     input.run.cfl = 0.1;
     input.output.profile_interval = 0.05;
@@ -167,10 +164,7 @@ TEST_P(InertialDrag, BrakesAPipeThatMovesAcrossAWideHoleByTheSquareOfItsSpeed) {
     input.fluid->drag_coefficient = 1.2;
     const double bore = pi / 4 * 0.12 * 0.12;
     const double mass = pipe_mass + lateral_fluid(*input.fluid, {pipe_radius, hole, 0}, bore);
-    const double push = mass * 1 / 0.05;
-    load(
-        input, 0.1, 0.05,
-        [push](double t) { return Vector3d(0, std::abs(t - 0.05) < 1e-6 ? push : 0, 0); }, none);
+    push_east(input, mass * 1);
     input.run.duration = 0.6;
     input.run.cfl = 0.05;
     input.output.profile_interval = 0.1;

@@ -64,6 +64,14 @@ void load(Case& input, double end, double step, const std::function<Vector3d(dou
     input.head.moment = input.bit.dead_moment = VectorSchedule(times, couples);
 }
 
+void push_east(Case& input, double momentum) {
+    const double peak = momentum / 0.05;
+    load(
+        input, 0.1, 0.05,
+        [peak](double t) { return Vector3d(0, std::abs(t - 0.05) < 1e-6 ? peak : 0, 0); },
+        [](double) { return Vector3d(Vector3d::Zero()); });
+}
+
 double smooth_step(double time, double begin, double end) {
     const double part = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
     return 0.5 * (1 - std::cos(std::numbers::pi * part));

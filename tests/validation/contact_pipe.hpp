@@ -35,6 +35,9 @@ void lay_down(Case& input, double inclination);
 void load(Case& input, double end, double step, const std::function<Eigen::Vector3d(double)>& force,
           const std::function<Eigen::Vector3d(double)>& couple);
 
+/// Pushes a pipe at rest to the East within 0.1 s, to a momentum per length (kg/s).
+void push_east(Case& input, double momentum);
+
 /// From 0 to 1 without corners between two times.
 double smooth_step(double time, double begin, double end);
 
