@@ -38,7 +38,7 @@ Scene make_scene(int segments, const SceneFeatures& features, double offset) {
         input.well.reset();
         input.fluid.reset();
     }
-    if (!features.damping) input.damping = {};
+    if (features.damping == Damping::none) input.damping = {};
     return build_scene(input);
 }
 

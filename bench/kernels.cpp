@@ -124,11 +124,14 @@ struct NamedFeatures {
     const char* name;
     SceneFeatures features;
 };
-constexpr SceneFeatures everything = {
-    .well = true, .drag = true, .inertial_flow = true, .fluid_mass = true, .damping = true};
+constexpr SceneFeatures everything = {.well = true,
+                                      .drag = true,
+                                      .inertial_flow = true,
+                                      .fluid_mass = true,
+                                      .damping = Damping::paper};
 const NamedFeatures feature_sets[] = {
     {"free", {}},
-    {"damped", {.damping = true}},
+    {"damped", {.damping = Damping::paper}},
     {"well", {.well = true}},
     {"well+laminar drag", {.well = true, .drag = true}},
     {"well+drag", {.well = true, .drag = true, .inertial_flow = true}},
@@ -140,8 +143,8 @@ void add_strand_kernels(int segments) {
     for (const NamedFeatures& set : feature_sets) {
         const auto bench = std::make_shared<Bench>(segments, set.features);
         const std::string name = set.name;
-        const bool first = !set.features.well && !set.features.damping;
-        const bool last = set.features.well && set.features.damping;
+        const bool first = !set.features.well && set.features.damping == Damping::none;
+        const bool last = set.features.well && set.features.damping != Damping::none;
         if (first) {
             add_pass("segments", "vector", bench, [](Bench& b) { b.segments_by_vectors(); });
             add_pass("segments", "plain", bench, [](Bench& b) { b.segments_plainly(); });

@@ -204,7 +204,7 @@ void PlainStrand::nodes(const PlainState& state, PlainState& rate, std::size_t b
             result.angular += outside.angular;
             result.linear += outside.linear;
         }
-        if (scene_.features.damping) {
+        if (scene_.features.damping != Damping::none) {
             const Six loss = damping(k, v, rate);
             result.angular -= loss.angular;
             result.linear -= loss.linear;

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "model/segment_strain.hpp"
 #include "numerics/kernel.hpp"
-#include "numerics/vector_math.hpp"
 
 namespace drillstrand {
 
@@ -51,27 +51,20 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
         const double ih = inverse_length[k];
         const Triple ta = t_a[k];
         const Triple tb = t_b[k];
-        const double cosine = dot(ta, tb);
-        const double inverse_one = 1.0 / (1.0 + cosine);
-        const Triple sum = combine(1.0, ta, 1.0, tb);
-        // stretch along the mean director, whose length |t + t| is sqrt(2 (1 + cos))
-        const double along =
-            dot(combine(ih, x_b[k], -ih, x_a[k]), sum) * std::sqrt(0.5 * inverse_one);
-        const double tension = axial[k] * (along - 1.0);
-        // curvature less the stress-free one of the mean frame, as in the rod's own kernel
-        const Triple a = cross(ta, tb);
-        const double bend =
-            2.0 * ih * inverse_one * arctangent_ratio(dot(a, a) * inverse_one * inverse_one);
-        const Triple d1 = combine(0.5, d1_a[k], 0.5, d1_b[k]);
-        const Triple d2 = combine(0.5, cross(ta, d1_a[k]), 0.5, cross(tb, d1_b[k]));
-        const Triple own = combine(bend10[k], d1, bend20[k], d2);
-        const Triple curvature = combine(bend, a, -1.0, own);
+        const SegmentBend arc(ta, tb);
+        const SegmentStretch strain(x_a[k], x_b[k], ih, ta, tb, arc.inverse_both());
+        const double tension = axial[k] * (strain.along - 1.0);
+        // curvature less the stress-free one of the mean frame
+        const Triple own_a = own_curvature(bend10[k], bend20[k], ta, d1_a[k]);
+        const Triple own_b = own_curvature(bend10[k], bend20[k], tb, d1_b[k]);
+        const Triple curvature =
+            combine(ih * arc.factor(), arc.turn, -0.5, combine(1.0, own_a, 1.0, own_b));
         const double moment = bending[k] * std::sqrt(dot(curvature, curvature));
         const double torque = torsion[k] * (twist[k] - twist0[k]);
 
         const double normal = std::abs(tension) * axial_yield[k] + moment * bending_yield[k];
         const double shear = torque * torsion_yield[k];
-        cosine_out[k] = cosine;
+        cosine_out[k] = arc.cosine;
         yield2_out[k] = normal * normal + shear * shear;
         coarseness_out[k] = -tension * inverse_pitch[k];
     };

@@ -7,6 +7,7 @@
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
 #include "numerics/kernel.hpp"
+#include "numerics/triple.hpp"
 #include "numerics/vector_math.hpp"
 
 namespace drillstrand {
@@ -50,9 +51,12 @@ struct Pose {
 };
 
 /// v taken along by the shortest turn from one unit vector to another.
+DRILLSTRAND_INLINE Triple carried(const Triple& v, const Triple& from, const Triple& to) {
+    return combine(1.0, v, -dot(v, to) / (1.0 + dot(from, to)), combine(1.0, from, 1.0, to));
+}
 inline Eigen::Vector3d carried(const Eigen::Vector3d& v, const Eigen::Vector3d& from,
                                const Eigen::Vector3d& to) {
-    return v - (v.dot(to) / (1 + from.dot(to))) * (from + to);
+    return vector(carried(triple(v), triple(from), triple(to)));
 }
 
 /// Poses of all nodes of a rod, from the head's pose, the segments' lengths (m) and strains.

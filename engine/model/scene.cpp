@@ -56,7 +56,7 @@ void set_wall(Scene& scene) {
     }
 }
 
-SceneFeatures features_of(const Case& input) {
+SceneFeatures features_of(const Case& input, const StringMesh& mesh) {
     SceneFeatures features;
     features.well = input.well.has_value();
     if (features.well && input.fluid) {
@@ -65,7 +65,12 @@ SceneFeatures features_of(const Case& input) {
         features.drag = fluid.drag && (fluid.viscosity > 0 || features.inertial_flow);
         features.fluid_mass = fluid.added_mass;
     }
-    features.damping = input.damping.internal.any() || input.damping.external.any();
+    if (input.damping.internal.any() || input.damping.external.any())
+        features.damping = Damping::paper;
+    if (input.damping.kelvin_voigt > 0) features.damping = Damping::kelvin_voigt;
+    features.curved =
+        std::any_of(mesh.segment.begin(), mesh.segment.end(),
+                    [](const SectionProperties& segment) { return !segment.curvature.isZero(0); });
     return features;
 }
 
@@ -142,7 +147,7 @@ Scene build_scene(const Case& input) {
     Scene scene;
     scene.segments = input.mesh.segments;
     scene.mesh = mesh_string(input.string, input.mesh.segments);
-    scene.features = features_of(input);
+    scene.features = features_of(input, scene.mesh);
     scene.fluid = input.fluid;
     scene.contact = input.contact;
     scene.side_force_window = input.output.side_force_window;

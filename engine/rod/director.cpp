@@ -7,6 +7,8 @@
 #include "forces/fluid.hpp"
 #include "forces/implicit_contact.hpp"
 #include "forces/wall_rows.hpp"
+#include "model/pose.hpp"
+#include "model/segment_strain.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/ordered_sum.hpp"
 #include "numerics/vector_math.hpp"
@@ -57,17 +59,12 @@ DirectorModel::DirectorModel(const Scene& scene, Level its_level)
     : constants(scene),
       surroundings(scene, its_level),
       level(its_level),
-      scene_features(scene.features),
+      features(scene.features),
       internal_damping(scene.damping.internal),
       external_damping(scene.damping.external),
       kelvin_voigt(scene.damping.kelvin_voigt),
       down(scene.down),
-      segments(static_cast<std::size_t>(scene.segments)) {
-    if (scene_features.damping) features.damping = Damping::paper;
-    if (kelvin_voigt > 0) features.damping = Damping::kelvin_voigt;
-    for (const SectionProperties& segment : scene.mesh.segment)
-        features.curved = features.curved || !segment.curvature.isZero(0);
-}
+      segments(static_cast<std::size_t>(scene.segments)) {}
 
 namespace {
 
@@ -189,22 +186,24 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
         const Triple ta = a_node.t[k];
         const Triple tb = b_node.t[k];
 
-        // stretch and shear: D = dx / h, mean director m, g = D . m, sh = D - g m
-        const Triple d = combine(ih, b_node.x[k], -ih, a_node.x[k]);
-        const double cosine = dot(ta, tb);
-        const double inverse_one = 1.0 / (1.0 + cosine);
-        const double inverse_both = std::sqrt(0.5 * inverse_one);  // 1 / |t_k + t_k+1|
-        const Triple m = combine(inverse_both, ta, inverse_both, tb);
-        const double g = dot(d, m);
-        const Triple sh = combine(1.0, d, -g, m);
+        const SegmentBend arc(ta, tb);
+        const Triple& a = arc.turn;
+        const double cosine = arc.cosine;
+        const double inverse_one = arc.inverse_one;
+        const double inverse_both = arc.inverse_both();
+
+        // stretch and shear
+        const SegmentStretch strain(a_node.x[k], b_node.x[k], ih, ta, tb, inverse_both);
+        const Triple& d = strain.chord;
+        const Triple& m = strain.mean;
+        const double g = strain.along;
+        const Triple& sh = strain.across;
         const double stretch_force = c.axial[k] * (g - 1.0);
         const Triple n = combine(stretch_force, m, c.shear[k], sh);
         const double w = h * (c.shear[k] * g - stretch_force) * inverse_both;
 
-        // bending: kb = (b / sin b) (t_k x t_k+1) / h, from tan(b/2) = |t x t| / (1 + cos b)
-        const Triple a = cross(ta, tb);
-        const double half_tangent2 = dot(a, a) * inverse_one * inverse_one;
-        const double factor = 2.0 * arctangent_ratio(half_tangent2) * inverse_one;
+        // bending: kb = (b / sin b) (t_k x t_k+1) / h
+        const double factor = arc.factor();
         const double bend = factor * ih;
         Triple bending_moment = scaled(c.bending[k] * bend, a);
 
@@ -217,12 +216,8 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
 
         if constexpr (curved) {
             // own shape: kappa = k1 d1 + k2 d2, the mean of both nodes'; m = EI (kb - kappa)
-            const Triple a1 = a_node.d1[k];
-            const Triple b1 = b_node.d1[k];
-            const Triple a2 = cross(ta, a1);
-            const Triple b2 = cross(tb, b1);
-            const Triple kappa_a = combine(c.bend10[k], a1, c.bend20[k], a2);
-            const Triple kappa_b = combine(c.bend10[k], b1, c.bend20[k], b2);
+            const Triple kappa_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
+            const Triple kappa_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
             const Triple kappa = combine(0.5, kappa_a, 0.5, kappa_b);
             const double ei = c.bending[k];
             const Triple moment = {ei * (bend * a.x - kappa.x), ei * (bend * a.y - kappa.y),
@@ -357,12 +352,8 @@ struct RodNodes {
 
     /// d1 goes along with t by the shortest way, then turns about it by dt s.
     DRILLSTRAND_INLINE void turn_material(std::size_t k, double s) const {
-        const Triple t = in.t[k];
         const Triple moved = at(out.t, k);
-        const Triple d1 = in.d1[k];
-        const Triple sum = combine(1.0, t, 1.0, moved);
-        const double onto = dot(d1, moved) / (1.0 + dot(t, moved));
-        const Triple along = combine(1.0, d1, -onto, sum);
+        const Triple along = carried(in.d1[k], in.t[k], moved);
         // Cayley's rotation, by the tangent of half the angle to its fifth power
         const double angle = drift * s;
         const double a2 = angle * angle;
@@ -783,7 +774,7 @@ using NodeKernel = NodeStep (*)(const DirectorModel&, const Table<DirectorRow>&,
 
 /// Calls `use` with the damping and the own shape of a scene as constants.
 template <class Use>
-auto with_features(const DirectorFeatures& features, const Use& use) {
+auto with_features(const SceneFeatures& features, const Use& use) {
     const auto with_shape = [&](auto damping) {
         return features.curved ? use(damping, std::true_type()) : use(damping, std::false_type());
     };
@@ -814,16 +805,17 @@ NodeKernel node_kernel_around(const DirectorModel& model) {
 
 template <bool heavy>
 NodeKernel node_kernel_in_well(const DirectorModel& model) {
-    const SceneFeatures& scene = model.scene_features;
-    if (!scene.drag) return node_kernel_around<Around::wall, heavy>(model);
-    return scene.inertial_flow ? node_kernel_around<Around::streaming_mud, heavy>(model)
-                               : node_kernel_around<Around::mud, heavy>(model);
+    const SceneFeatures& features = model.features;
+    if (!features.drag) return node_kernel_around<Around::wall, heavy>(model);
+    return features.inertial_flow ? node_kernel_around<Around::streaming_mud, heavy>(model)
+                                  : node_kernel_around<Around::mud, heavy>(model);
 }
 
 NodeKernel node_kernel(const DirectorModel& model) {
-    const SceneFeatures& scene = model.scene_features;
-    if (!scene.well) return node_kernel_around<Around::nothing, false>(model);
-    return scene.fluid_mass ? node_kernel_in_well<true>(model) : node_kernel_in_well<false>(model);
+    const SceneFeatures& features = model.features;
+    if (!features.well) return node_kernel_around<Around::nothing, false>(model);
+    return features.fluid_mass ? node_kernel_in_well<true>(model)
+                               : node_kernel_in_well<false>(model);
 }
 
 }  // namespace

@@ -86,22 +86,12 @@ inline constexpr auto row_list<SegmentRow> = std::to_array<RowInfo<SegmentRow>>(
 });
 // clang-format on
 
-/// Damping of the rod: none, the paper's D_in and D_ex, or these and Kelvin-Voigt.
-enum class Damping { none, paper, kelvin_voigt };
-
-/// Which parts of the rod's kernels a scene needs.
-struct DirectorFeatures {
-    Damping damping = Damping::none;
-    bool curved = false;  ///< a stress-free shape that is not straight
-};
-
 /// Everything about the rod and its surroundings that does not change in a run.
 struct DirectorModel {
     DirectorConstants constants;
     Surroundings surroundings;
     Level level;
-    SceneFeatures scene_features;
-    DirectorFeatures features;
+    SceneFeatures features;
     DampingPair internal_damping;  ///< D_in
     DampingPair external_damping;  ///< D_ex
     double kelvin_voigt = 0;       ///< tau (s)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/segment_strain.hpp"
 #include "rod/report.hpp"
 
 namespace drillstrand {
@@ -36,20 +37,19 @@ namespace {
 /// stiffness.
 Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const double h = scene.mesh.length[k];
-    const Vector3d chord =
-        (at.rod.vector(DirectorRow::position, k + 1) - at.rod.vector(DirectorRow::position, k)) / h;
-    const Vector3d ta = at.rod.vector(DirectorRow::director, k);
-    const Vector3d tb = at.rod.vector(DirectorRow::director, k + 1);
-    const Vector3d mean = (ta + tb).normalized();
-    const Vector3d axis = ta.cross(tb);
-    const double sine = axis.norm();
-    const double angle = std::atan2(sine, ta.dot(tb));
-    const Vector3d bend =
-        sine > 0 ? Vector3d(axis * (angle / sine / h)) : Vector3d(Vector3d::Zero());
+    const auto node = [&](DirectorRow row, std::size_t i) { return triple(at.rod.vector(row, i)); };
+    const Triple ta = node(DirectorRow::director, k);
+    const Triple tb = node(DirectorRow::director, k + 1);
+    const SegmentBend arc(ta, tb);
+    const SegmentStretch stretch(node(DirectorRow::position, k), node(DirectorRow::position, k + 1),
+                                 1.0 / h, ta, tb, arc.inverse_both());
+    const Vector3d mean = vector(stretch.mean);
+    const Vector3d chord = vector(stretch.chord);
+    const Vector3d bend = arc.factor() / h * vector(arc.turn);
     const Vector3d d1 = 0.5 * (at.frame[k].col(1) + at.frame[k + 1].col(1));
     const Vector3d d2 = 0.5 * (at.frame[k].col(2) + at.frame[k + 1].col(2));
     Vector6 strain;
-    strain << at.segments.row(SegmentRow::twist)[k], bend.dot(d1), bend.dot(d2), chord.dot(mean),
+    strain << at.segments.row(SegmentRow::twist)[k], bend.dot(d1), bend.dot(d2), stretch.along,
         chord.dot(d1 - d1.dot(mean) * mean), chord.dot(d2 - d2.dot(mean) * mean);
     const SectionProperties& section = scene.mesh.segment[k];
     return stiffness_of(section).cwiseProduct(strain - stress_free_strain(section));

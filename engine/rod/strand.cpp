@@ -502,8 +502,8 @@ NodeKernel node_kernel_damped(const StrandModel& model) {
 }
 
 NodeKernel node_kernel(const StrandModel& model) {
-    return model.features.damping ? node_kernel_damped<true>(model)
-                                  : node_kernel_damped<false>(model);
+    return model.features.damping != Damping::none ? node_kernel_damped<true>(model)
+                                                   : node_kernel_damped<false>(model);
 }
 
 Eigen::Matrix3d rotation_of(const SegmentPose& step) {

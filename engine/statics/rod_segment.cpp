@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "model/segment_strain.hpp"
 #include "statics/skew.hpp"
 
 namespace drillstrand {
@@ -20,7 +21,8 @@ Matrix36 beside(const Matrix3d& left, const Matrix3d& right) {
     return both;
 }
 
-/// f = b / sin b of the cosine of b, and its derivatives by that cosine.
+/// f = b / sin b of the cosine of b, and its derivatives by that cosine; unlike the rod's own, for
+/// any angle, since iterates may bend by more than they will.
 struct BendFactor {
     double f, slope, curve;
 };
@@ -39,20 +41,21 @@ BendFactor bend_factor(double cosine, double sine2) {
     return {f, slope, (f + 3 * cosine * slope) / sine2};
 }
 
-/// Stretch and shear: chord D, mean director m along p = t_a + t_b, g = D . m, sh = D - g m.
+/// Stretch and shear, and their forces; mean director m along p = t_a + t_b.
 struct Stretch {
-    explicit Stretch(const RodSegment& s)
-        : chord((s.b.position - s.a.position) / s.length),
-          size((s.a.director + s.b.director).norm()),
-          mean((s.a.director + s.b.director) / size),
-          along(chord.dot(mean)),
-          across(chord - along * mean),
+    Stretch(const RodSegment& s, const SegmentBend& arc)
+        : strain(triple(s.a.position), triple(s.b.position), 1 / s.length, triple(s.a.director),
+                 triple(s.b.director), arc.inverse_both()),
+          size(1 / arc.inverse_both()),
+          mean(vector(strain.mean)),
+          along(strain.along),
+          across(vector(strain.across)),
           axial(s.section->axial_stiffness),
           shear(s.section->shear_stiffness),
           tension(axial * (along - 1)),
           lever(s.length * (shear * along - tension) / size) {}
 
-    Vector3d chord;
+    SegmentStretch strain;
     double size;  // |p|
     Vector3d mean;
     double along;
@@ -73,21 +76,24 @@ struct Bend {
     explicit Bend(const RodSegment& s)
         : ta(s.a.director),
           tb(s.b.director),
-          turn(ta.cross(tb)),
-          cosine(ta.dot(tb)),
+          arc(triple(ta), triple(tb)),
+          turn(vector(arc.turn)),
+          cosine(arc.cosine),
           factor(bend_factor(cosine, turn.squaredNorm())),
-          own_a(own_curvature(s, s.a)),
-          own_b(own_curvature(s, s.b)),
+          own_a(own_at(s, s.a)),
+          own_b(own_at(s, s.b)),
           stiffness(s.section->bending_stiffness),
           length(s.length),
           moment(stiffness * (factor.f / length * turn - 0.5 * (own_a + own_b))) {}
 
-    static Vector3d own_curvature(const RodSegment& s, const SegmentEnd& end) {
+    static Vector3d own_at(const RodSegment& s, const SegmentEnd& end) {
         const Vector3d& own = s.section->curvature;
-        return own[1] * end.material + own[2] * end.director.cross(end.material);
+        return vector(own_curvature(own[1], own[2], triple(end.director), triple(end.material)));
     }
 
-    Vector3d ta, tb, turn;
+    Vector3d ta, tb;
+    SegmentBend arc;
+    Vector3d turn;
     double cosine;
     BendFactor factor;
     Vector3d own_a, own_b;
@@ -108,11 +114,11 @@ struct Bend {
 
 /// Torsion: torque T about e = (t_a + t_b) / (1 + cos b).
 struct Torsion {
-    Torsion(const RodSegment& s, double cosine)
+    Torsion(const RodSegment& s, const SegmentBend& arc)
         : stiffness(s.section->torsional_stiffness),
           torque(stiffness * (s.twist - s.section->curvature[0])),
           sum(s.a.director + s.b.director),
-          inverse(1 / (1 + cosine)),
+          inverse(arc.inverse_one),
           axis(inverse * sum) {}
     double stiffness, torque;
     Vector3d sum;
@@ -178,9 +184,9 @@ CoupleTangent couple_tangent(const RodSegment& s, const Bend& bend, const Torsio
 }  // namespace
 
 SegmentForces segment_forces(const RodSegment& s) {
-    const Stretch stretch(s);
     const Bend bend(s);
-    const Torsion torsion(s, bend.cosine);
+    const Stretch stretch(s, bend.arc);
+    const Torsion torsion(s, bend.arc);
     const Vector3d twisting = torsion.torque * torsion.axis;
     const Vector3d pull = stretch.pull();
     const Vector3d lean = stretch.lean();
@@ -192,8 +198,8 @@ SegmentForces segment_forces(const RodSegment& s) {
 }
 
 SegmentTangent segment_tangent(const RodSegment& s) {
-    const Stretch q(s);
     const Bend bend(s);
+    const Stretch q(s, bend.arc);
     const double h = s.length;
     const Vector3d& m = q.mean;
     const Vector3d& sh = q.across;
@@ -211,7 +217,7 @@ SegmentTangent segment_tangent(const RodSegment& s) {
     const Matrix3d sa = skew(bend.ta);
     const Matrix3d sb = skew(bend.tb);
     const Matrix3d turned_lean = skew(q.lean());
-    const CoupleTangent couple = couple_tangent(s, bend, Torsion(s, bend.cosine));
+    const CoupleTangent couple = couple_tangent(s, bend, Torsion(s, bend.arc));
 
     SegmentTangent d;
     d.aa << -by_chord / h, -by_mean * sa, sa * by_mean.transpose(),

@@ -16,13 +16,17 @@
 
 namespace drillstrand {
 
+/// Damping of the rod: none, the paper's D_in and D_ex, or Kelvin-Voigt and, where given, these.
+enum class Damping { none, paper, kelvin_voigt };
+
 /// Which physics the scene names; decided once, before the first step.
 struct SceneFeatures {
     bool well = false;           ///< contact and friction
     bool drag = false;           ///< annular fluid drag
     bool inertial_flow = false;  ///< of which the fluid's inertia is part
     bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
-    bool damping = false;        ///< D_in or D_ex
+    Damping damping = Damping::none;
+    bool curved = false;  ///< a stress-free shape that is not straight
 };
 
 /// Nodes of a string whose chords are as long as its segments and lie along the mean of the two

@@ -2,7 +2,7 @@
 /// line that says what is wrong.
 #include "drillstrand/case.hpp"
 
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace drillstrand;

@@ -1,5 +1,5 @@
 /// Any bytes as a table of components: components, or one line that says what is wrong.
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 #include "input/component_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

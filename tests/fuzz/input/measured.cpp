@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace drillstrand;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "drillstrand/case.hpp"
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// Any bytes as a survey: stations in ascending depth, or one line that says what is wrong.
 #include "input/survey.hpp"
 
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace drillstrand;

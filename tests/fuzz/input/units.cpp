@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fuzz/input/fuzz_folder.hpp"
+#include "fuzz/fuzz_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace drillstrand;
