@@ -23,7 +23,9 @@ void check_initial_equilibrium(const Case& input, const toml::table& root) {
     if (input.head.motion == HeadMotion::free)
         value.fail("needs a head that holds the string; expected head.motion = \"driven\"");
     if (input.run.integrator != IntegratorKind::leapfrog)
-        value.fail("is that of the leapfrog's rod; expected run.integrator = \"leapfrog\"");
+        value.fail(
+            "is that of the leapfrog's rod; expected run.integrator = \"leapfrog\", or "
+            "initial.state = \"coaxial\"");
 }
 
 std::string read_title(const Table& root, const std::filesystem::path& path) {

@@ -28,6 +28,11 @@ DRILLSTRAND_INLINE Triple scaled(double a, const Triple& v) {
     return {a * v.x, a * v.y, a * v.z};
 }
 
+/// v/|v| of a vector whose length is 1 but for rounding.
+DRILLSTRAND_INLINE Triple of_unit_length(const Triple& v) {
+    return scaled(1.5 - 0.5 * dot(v, v), v);
+}
+
 inline Triple triple(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }

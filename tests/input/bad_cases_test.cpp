@@ -355,7 +355,8 @@ TEST(BadCases, EquilibriumNeedsAHeldHeadTheLeapfrogAndRatesThatGoWithTheMotion) 
     expect_messages({
         {"duration = 20\n",
          "duration = 20\nintegrator = \"dormand-prince\"\n[initial]\nstate = \"equilibrium\"\n",
-         R"(case.toml:41:9: initial.state is that of the leapfrog's rod; expected run.integrator = "leapfrog")"},
+         R"(case.toml:41:9: initial.state is that of the leapfrog's rod; expected run.integrator = "leapfrog", or )"
+         R"(initial.state = "coaxial")"},
         {"rotation = [[0, 0], [2, \"110 rpm\"]]\n",
          "motion = \"free\"\n[initial]\nstate = \"equilibrium\"\n",
          R"(case.toml:33:9: initial.state needs a head that holds the string; expected head.motion = "driven")"},
