@@ -78,6 +78,8 @@ void derive(const DirectorString& string, DirectorState& state) {
         course.done > course.steps || !(course.start <= course.end) ||
         state.time_error.due < state.statistics.steps || state.statistics.steps < 0)
         throw std::invalid_argument("the clock of the saved state is out of order");
+    if (!state.accounts.are_counts())
+        throw std::invalid_argument("impacts or slips of the saved state are no counts");
     string.model.surroundings.derive(state.wall);
 }
 

@@ -125,6 +125,8 @@ void derive(const StrandString& string, StrandState& state) {
     if (!(std::isfinite(state.clock.time) && state.clock.proposed_step > 0) ||
         state.statistics.steps < 0)
         throw std::invalid_argument("the clock of the saved state is out of order");
+    if (!state.accounts.are_counts())
+        throw std::invalid_argument("impacts or slips of the saved state are no counts");
     string.model.surroundings.derive(state.wall);
 }
 

@@ -163,6 +163,19 @@ struct Accounts {
     Accounts() = default;
     explicit Accounts(std::size_t stretches)
         : outflow(stretches), impacts(stretches), slips(stretches) {}
+
+    /// Whether impacts and slips are counts, that a record can hold.
+    [[nodiscard]] bool are_counts() const {
+        constexpr double most = 9007199254740992.0;  // integers up to 2^53 are doubles
+        double sum = 0;
+        for (const auto* counts : {&impacts, &slips}) {
+            for (const double count : *counts) {
+                if (!(count >= 0)) return false;
+                sum += count;
+            }
+        }
+        return sum <= most;
+    }
 };
 // clang-format off
 template <>

@@ -46,20 +46,19 @@ class Saver {
         if (entries == 0) return;
         for_each_kept_line<Row>(table, [&](const RowInfo<Row>& info, std::size_t component,
                                            const double* line) {
-            SavedRow& row = component == 0
-                                ? saved_.emplace_back(part + '/' + std::string(info.name),
-                                                      std::string(info.unit), std::vector<double>())
-                                : saved_.back();
-            row.values.insert(row.values.end(), line, line + entries);
+            if (component == 0)
+                saved_.push_back({part + '/' + std::string(info.name), std::string(info.unit), {}});
+            std::vector<double>& values = saved_.back().values;
+            values.insert(values.end(), line, line + entries);
         });
     }
 
     template <class Record>
     void operator()(const std::string& part, const Record& record) const {
         for (const Field<Record>& field : field_list<Record>) {
-            SavedRow& row = saved_.emplace_back(part + '/' + std::string(field.name),
-                                                std::string(field.unit), std::vector<double>());
-            std::visit([&](auto member) { add(row.values, record.*member); }, field.member);
+            saved_.push_back({part + '/' + std::string(field.name), std::string(field.unit), {}});
+            std::vector<double>& values = saved_.back().values;
+            std::visit([&](auto member) { add(values, record.*member); }, field.member);
         }
     }
 

@@ -2,6 +2,7 @@
 // with any number of threads, at any moment.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -160,6 +161,12 @@ TEST_P(RestartOf, ARunThatIsNotThisOneIsRefusedAndLeavesTheRunAsItWas) {
     SavedState cut = before;
     cut.front().values.pop_back();
     EXPECT_THROW(run->restore(cut), std::invalid_argument);
+    for (const double count : {-1.0, 1e300, std::nan("")}) {
+        SavedState uncountable = before;
+        for (SavedRow& row : uncountable)
+            if (row.name.ends_with("/impacts")) row.values.front() = count;
+        EXPECT_THROW(run->restore(uncountable), std::invalid_argument);
+    }
     if (scene_.well) {
         SavedState lost = before;
         for (SavedRow& row : lost) {

@@ -112,7 +112,7 @@ Bytes with_changes(Bytes bytes, const std::uint8_t* data, std::size_t size) {
     constexpr std::size_t head = 4;
     constexpr std::size_t most = 8;
     while (size > head) {
-        const std::size_t place = data[0] | data[1] << 8U | data[2] << 16U;
+        const std::size_t place = data[0] + 0x100U * data[1] + 0x10000U * data[2];
         const std::size_t count = std::min<std::size_t>(1 + data[3] % most, size - head);
         for (std::size_t k = 0; k < count; ++k)
             bytes[(place + k) % bytes.size()] = data[head + k];
