@@ -119,6 +119,17 @@ TEST_F(Program, CheckAdvisesAStartAtRestWhereAStringWouldFallInItsWell) {
     EXPECT_THAT(run({"check", "pipe.toml"}).out, Not(HasSubstr(advice)));
 }
 
+// Found by a check of a million segments that took five minutes.
+TEST_F(Program, CheckSaysWhereItDoesNotLookForALongEquilibrium) {
+    const auto check = [&](const char* segments) {
+        return run({"check", DRILLSTRAND_SOURCE_DIR "/cases/well2.toml", "--set",
+                    std::string("mesh.segments=") + segments});
+    };
+    const auto says = HasSubstr("Not checked: whether there is an equilibrium to start from");
+    EXPECT_THAT(check("10001").out, AllOf(says, Not(HasSubstr("Advice"))));
+    EXPECT_THAT(check("322").out, Not(says));
+}
+
 TEST_F(Program, InfoTellsHowAResultWasMade) {
     ASSERT_EQ(run({"run", "pipe.toml"}).code, 0);
     const Ending ending = run({"info", "pipe.h5"});

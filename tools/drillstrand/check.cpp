@@ -354,6 +354,28 @@ bool falls_at_the_start(const Case& input, const Scene& scene) {
            input.run.integrator == IntegratorKind::leapfrog;
 }
 
+/// Whether the equilibrium to start from takes longer to find (0.3 ms a segment) than who checks a
+/// case waits.
+bool is_long_to_find(const Case& input) {
+    constexpr int most_segments = 10'000;
+    return input.initial.state == InitialState::equilibrium && input.mesh.segments > most_segments;
+}
+
+/// The case, coaxial where its equilibrium is long to find.
+Case without_long_search(Case input) {
+    if (is_long_to_find(input)) input.initial.state = InitialState::coaxial;
+    return input;
+}
+
+void tell_of_long_search(const Case& input) {
+    if (is_long_to_find(input))
+        fmt::print(
+            "Not checked: whether there is an equilibrium to start from; with {} segments the "
+            "search "
+            "would take longer than all else\n",
+            input.mesh.segments);
+}
+
 void advise_equilibrium(const Case& input, const Scene& scene) {
     if (falls_at_the_start(input, scene))
         fmt::print(
@@ -365,7 +387,7 @@ void advise_equilibrium(const Case& input, const Scene& scene) {
 
 int check(const CheckOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
-    const Scene scene = starting_scene(input);
+    const Scene scene = starting_scene(without_long_search(input));
     fmt::print("{}: {}\n", options.case_path.string(), input.title);
     print_string(input, scene);
     print_well(input, scene);
@@ -379,6 +401,7 @@ int check(const CheckOptions& options) {
     warn_of_cut_corners(input, scene);
     warn_of_paper_friction(scene);
     advise_equilibrium(input, scene);
+    tell_of_long_search(input);
     return done;
 }
 
