@@ -68,13 +68,14 @@ Case pressed_string(double length, double inclination, double force) {
     return input;
 }
 
-/// The same, a little aside on the low side of a level hole.
+/// The same, a little aside on the low side of a level hole. Waves 3 % above the critical load grow
+/// by e in a few seconds, from what rounding and the ends give them.
 Case lying_string(double length, double force) {
     constexpr double aside = 1e-4;
     Case input = pressed_string(length, pi / 2, force);
     lay_down(input, pi / 2);
     input.initial.offset += aside * Vector3d::UnitY();
-    input.run.duration = 14;
+    input.run.duration = 28;
     return input;
 }
 
