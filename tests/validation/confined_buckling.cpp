@@ -69,7 +69,7 @@ Case pressed_string(double length, double inclination, double force) {
 }
 
 /// The same, a little aside on the low side of a level hole. Waves 3 % above the critical load grow
-/// by e in a few seconds, from what rounding and the ends give them.
+/// slowly, from what rounding and the ends give them.
 Case lying_string(double length, double force) {
     constexpr double aside = 1e-4;
     Case input = pressed_string(length, pi / 2, force);
