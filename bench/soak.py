@@ -52,7 +52,8 @@ def rows_of(path, memory):
         series = {name: data[:] for name, data in file["series"].items()}
         profile_time, director = file["profiles/time"][:], file["profiles/director"][:]
     moments = series["time"]
-    stored = sum(series[f"{kind}_energy"] for kind in ("kinetic", "elastic", "spring", "potential"))
+    # the contact springs' is part of the elastic one
+    stored = sum(series[f"{kind}_energy"] for kind in ("kinetic", "elastic", "potential"))
     appeared = stored + series["dissipation"] - series["work"]
     error = np.max(np.abs(np.linalg.norm(director, axis=2) - 1), axis=1)
     wall, megabytes = np.array(memory).T
@@ -90,8 +91,10 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     measure.add_options(parser)
     parser.add_argument("--case", default="well1.toml")
-    parser.add_argument("--hours", type=float, default=24, help="simulated (default: %(default)s)")
+    parser.add_argument("--hours", type=int, default=24, help="simulated (default: %(default)s)")
     options = parser.parse_args()
+    if options.hours < 1:
+        parser.error("--hours: expected one at least")
 
     facts = measure.provenance(options.build)
     with tempfile.TemporaryDirectory() as folder:
@@ -105,7 +108,7 @@ def main():
     if options.publish:
         measure.publish(
             "soak", facts,
-            f"`cases/{options.case}` for {options.hours:g} simulated hours, in {memory[-1][0] / 60:.0f} "
+            f"`cases/{options.case}` for {options.hours} simulated hours, in {memory[-1][0] / 60:.0f} "
             "minutes on one thread. Energy that appeared: in that hour, and over what its loads did "
             "or its friction took.", table)
 

@@ -10,7 +10,7 @@
 
 namespace drillstrand {
 
-/// How a segment's directors bend from t_a to t_b by the angle b, 0 to 90 degrees. The curvature is
+/// How a segment's directors bend from t_a to t_b by the angle b. The curvature is
 /// kb = f (t_a x t_b) / h with f = b / sin b.
 struct SegmentBend {
     Triple turn;         ///< t_a x t_b
@@ -20,7 +20,7 @@ struct SegmentBend {
     DRILLSTRAND_INLINE SegmentBend(const Triple& ta, const Triple& tb)
         : turn(cross(ta, tb)), cosine(dot(ta, tb)), inverse_one(1.0 / (1.0 + cosine)) {}
 
-    /// f, from tan(b/2) = |t_a x t_b| / (1 + cos b).
+    /// f of b up to 90 degrees, from tan(b/2) = |t_a x t_b| / (1 + cos b).
     [[nodiscard]] DRILLSTRAND_INLINE double factor() const {
         return 2.0 * arctangent_ratio(dot(turn, turn) * inverse_one * inverse_one) * inverse_one;
     }

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "drillstrand/saved_state.hpp"
+
 namespace drillstrand::hdf5 {
 
 namespace {
@@ -26,8 +28,6 @@ constexpr hsize_t small_file_bytes = hsize_t{1} << 24;
 constexpr hsize_t most_bytes_per_byte = 64;
 /// A chunk is taken into memory as a whole, however little of it is read.
 constexpr hsize_t small_chunk_bytes = hsize_t{1} << 20;
-/// The largest integer up to which a double holds each one.
-constexpr double largest_integer = 9007199254740992.0;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& problem) {
     throw UnsoundFile(what + ": " + problem);
@@ -348,7 +348,7 @@ std::vector<double> read_entries(UntrustedFile& file, const CheckedDataset& data
     }
     if (integer)
         for (const double value : values)
-            if (std::abs(value) > largest_integer)
+            if (std::abs(value) > largest_whole_number)
                 throw UnsoundFile(fmt::format("the count {:g} is none", value));
     return values;
 }

@@ -502,8 +502,10 @@ NodeKernel node_kernel_damped(const StrandModel& model) {
 }
 
 NodeKernel node_kernel(const StrandModel& model) {
-    return model.features.damping != Damping::none ? node_kernel_damped<true>(model)
-                                                   : node_kernel_damped<false>(model);
+    // Kelvin-Voigt damping acts in the segments
+    return model.internal_damping.any() || model.external_damping.any()
+               ? node_kernel_damped<true>(model)
+               : node_kernel_damped<false>(model);
 }
 
 Eigen::Matrix3d rotation_of(const SegmentPose& step) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drillstrand/records.hpp"
+#include "drillstrand/saved_state.hpp"
 #include "state/fields.hpp"
 #include "state/table.hpp"
 
@@ -166,7 +167,6 @@ struct Accounts {
 
     /// Whether impacts and slips are counts, that a record can hold.
     [[nodiscard]] bool are_counts() const {
-        constexpr double most = 9007199254740992.0;  // integers up to 2^53 are doubles
         double sum = 0;
         for (const auto* counts : {&impacts, &slips}) {
             for (const double count : *counts) {
@@ -174,7 +174,7 @@ struct Accounts {
                 sum += count;
             }
         }
-        return sum <= most;
+        return sum <= largest_whole_number;
     }
 };
 // clang-format off

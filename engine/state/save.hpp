@@ -125,8 +125,7 @@ class Restorer {
     void get(const std::string& name, double& value) { value = take(name, 1).front(); }
     void get(const std::string& name, std::int64_t& value) {
         const double saved = take(name, 1).front();
-        constexpr double exact = 9007199254740992.0;  // integers up to 2^53 are doubles
-        if (!(std::abs(saved) <= exact) || saved != std::floor(saved))
+        if (!(std::abs(saved) <= largest_whole_number) || saved != std::floor(saved))
             throw std::invalid_argument("the saved row " + name + " is not a whole number");
         value = static_cast<std::int64_t>(saved);
     }

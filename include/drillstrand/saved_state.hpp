@@ -6,6 +6,9 @@
 
 namespace drillstrand {
 
+/// Whole numbers up to this one (2^53) are doubles.
+inline constexpr double largest_whole_number = 9007199254740992.0;
+
 struct SavedRow {
     std::string name;  ///< part of the state and row, as in "rod/position"
     std::string unit;
