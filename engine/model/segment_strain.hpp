@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "drillstrand/drill_string.hpp"
+#include "model/stability_functions.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/triple.hpp"
 #include "numerics/vector_math.hpp"
@@ -24,27 +26,107 @@ struct SegmentBend {
     [[nodiscard]] DRILLSTRAND_INLINE double factor() const {
         return 2.0 * arctangent_ratio(dot(turn, turn) * inverse_one * inverse_one) * inverse_one;
     }
+    /// df/d(cos b) of a factor f; |t_a x t_b|^2 = sin^2 b.
+    [[nodiscard]] DRILLSTRAND_INLINE double slope(double f) const {
+        const double sine2 = dot(turn, turn);
+        return sine2 > 1e-8 ? (f * cosine - 1.0) / sine2 : -1.0 / 3.0;
+    }
     /// 1 / |t_a + t_b|
     [[nodiscard]] DRILLSTRAND_INLINE double inverse_both() const {
         return std::sqrt(0.5 * inverse_one);
     }
 };
 
-/// How a segment's chord stretches and shears: D = dx / h, mean director m, g = D . m, sh = D - g
-/// m.
-struct SegmentStretch {
-    Triple chord;   ///< D
-    Triple mean;    ///< m
-    double along;   ///< g
-    Triple across;  ///< sh
+/// How a segment's chord lies between its directors: D = dx/h, c = |D|, e = D/c, mean director m.
+struct SegmentChord {
+    double ratio;          ///< c
+    double inverse_ratio;  ///< 1 / c
+    Triple along;          ///< e
+    Triple mean;           ///< m
+    double cosine;         ///< e . m
+    Triple deviation;      ///< e - (e . m) m: the chord's turn off the mean director
 
-    DRILLSTRAND_INLINE SegmentStretch(const Triple& xa, const Triple& xb, double inverse_length,
-                                      const Triple& ta, const Triple& tb, double inverse_both)
-        : chord(combine(inverse_length, xb, -inverse_length, xa)),
-          mean(combine(inverse_both, ta, inverse_both, tb)),
-          along(dot(chord, mean)),
-          across(combine(1.0, chord, -along, mean)) {}
+    DRILLSTRAND_INLINE SegmentChord(const Triple& xa, const Triple& xb, double inverse_length,
+                                    const Triple& ta, const Triple& tb, double inverse_both) {
+        const Triple d = combine(inverse_length, xb, -inverse_length, xa);
+        const double d2 = dot(d, d);
+        inverse_ratio = 1.0 / std::sqrt(d2);
+        ratio = d2 * inverse_ratio;
+        along = scaled(inverse_ratio, d);
+        mean = combine(inverse_both, ta, inverse_both, tb);
+        cosine = dot(along, mean);
+        deviation = combine(1.0, along, -cosine, mean);
+    }
+    /// phi^2
+    [[nodiscard]] DRILLSTRAND_INLINE double angle2() const { return 2.0 * (1.0 - cosine); }
 };
+
+/// Stiffnesses of a segment of the length h.
+struct SegmentStiffness {
+    double axial;      ///< EA (N)
+    double bending;    ///< EI / h^2 (N)
+    double deviation;  ///< 12 k EI / h^2 (N), k = 1 / (1 + 12 EI / (kappa GA h^2)): shear in series
+    double bending_share;  ///< k
+    double slenderness;    ///< EA h^2 / EI
+
+    SegmentStiffness(const SectionProperties& section, double length)
+        : axial(section.axial_stiffness),
+          bending(section.bending_stiffness / (length * length)),
+          deviation(12.0 / (1.0 / bending + 12.0 / section.shear_stiffness)),
+          bending_share(deviation / (12.0 * bending)),
+          slenderness(axial / bending) {}
+    DRILLSTRAND_INLINE SegmentStiffness(double ea, double ei, double dev, double share, double z)
+        : axial(ea), bending(ei), deviation(dev), bending_share(share), slenderness(z) {}
+};
+
+/// The exact beam-column between two nodes, from the angle b between its directors and the angle
+/// phi of its chord: with the arc length c S, S = 1 + b^2/24 + phi^2/10, and eps = c S - 1,
+///
+///     V/h = EA eps^2/2 + (EI/h^2) (r_s b^2 + 12 k r_a phi^2)/2
+///
+/// less the part b^2/2 of bending without axial force, which may have a shape of its own.
+struct BeamColumn {
+    double bend2;       ///< b^2
+    double angle2;      ///< phi^2
+    double stretching;  ///< S
+    double strain;      ///< eps
+    StabilityFunctions stability;
+    double tension;   ///< n = dV/deps / h (N)
+    double moment;    ///< couple of axial force over b h: (EI/h^2) (r_s - 1) + n c/12 (N)
+    double shearing;  ///< P = 12 k (EI/h^2) r_a + n c/5 (N)
+
+    DRILLSTRAND_INLINE BeamColumn(const SegmentStiffness& k, const SegmentChord& chord,
+                                  double bend_squared)
+        : bend2(bend_squared),
+          angle2(chord.angle2()),
+          stretching(1.0 + bend2 * (1.0 / 24.0) + angle2 * 0.1),
+          strain(chord.ratio * stretching - 1.0),
+          stability(strain * k.slenderness),
+          tension(k.axial * (strain + 0.5 * (stability.symmetric_slope * bend2 +
+                                             12.0 * k.bending_share *
+                                                 stability.antisymmetric_slope * angle2))),
+          moment(k.bending * stability.symmetric + tension * chord.ratio * (1.0 / 12.0)),
+          shearing(k.deviation * stability.antisymmetric + tension * chord.ratio * 0.2) {}
+
+    /// The force on the first node along and across the chord; its reaction acts on the last (N).
+    [[nodiscard]] DRILLSTRAND_INLINE Triple pull(const SegmentChord& chord) const {
+        const double across = shearing * chord.inverse_ratio;
+        return combine(tension * stretching + across * chord.cosine, chord.along, -across,
+                       chord.mean);
+    }
+    /// V/h, as above (N).
+    [[nodiscard]] double energy(const SegmentStiffness& k) const {
+        return 0.5 * (k.axial * strain * strain + k.bending * stability.symmetric * bend2 +
+                      k.deviation * stability.antisymmetric * angle2);
+    }
+};
+
+/// The twist h tau of a segment is the angle between its frames, carried along by the shortest
+/// turns, and k chi: chi = e . (t_a x t_b) is the area between the tangents of the segment and the
+/// great circle between its ends.
+DRILLSTRAND_INLINE double twist_of_deviation(const SegmentChord& chord, const Triple& turn) {
+    return dot(chord.deviation, turn);
+}
 
 /// Curvature that a cross section with its own shape would have in the frame of a node (1/m).
 DRILLSTRAND_INLINE Triple own_curvature(double bend1, double bend2, const Triple& t,
