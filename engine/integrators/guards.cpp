@@ -39,6 +39,10 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
     const double* torsion = c.row(Constants::torsion) + first;
     const double* bending = c.row(Constants::bending) + first;
     const double* axial = c.row(Constants::axial) + first;
+    const double* deviation = c.row(Constants::deviation) + first;
+    const double* bending_share = c.row(Constants::bending_share) + first;
+    const double* slenderness = c.row(Constants::slenderness) + first;
+    const double* length = c.row(Constants::length) + first;
     const double* twist0 = c.row(Constants::twist0) + first;
     const double* bend10 = c.row(Constants::bend10) + first;
     const double* bend20 = c.row(Constants::bend20) + first;
@@ -52,15 +56,23 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
         const Triple ta = t_a[k];
         const Triple tb = t_b[k];
         const SegmentBend arc(ta, tb);
-        const SegmentStretch strain(x_a[k], x_b[k], ih, ta, tb, arc.inverse_both());
-        const double tension = axial[k] * (strain.along - 1.0);
-        // curvature less the stress-free one of the mean frame
+        const SegmentChord chord(x_a[k], x_b[k], ih, ta, tb, arc.inverse_both());
+        const double factor = arc.factor();
+        const BeamColumn beam(
+            {axial[k], bending[k], deviation[k], bending_share[k], slenderness[k]}, chord,
+            factor * factor * dot(arc.turn, arc.turn));
+        const double tension = beam.tension;
+        // at the ends of the segment: by the angle between them, less the own curvature of the mean
+        // frame, and by the deviation of the chord
+        const double h = length[k];
         const Triple own_a = own_curvature(bend10[k], bend20[k], ta, d1_a[k]);
         const Triple own_b = own_curvature(bend10[k], bend20[k], tb, d1_b[k]);
-        const Triple curvature =
-            combine(ih * arc.factor(), arc.turn, -0.5, combine(1.0, own_a, 1.0, own_b));
-        const double moment = bending[k] * std::sqrt(dot(curvature, curvature));
-        const double torque = torsion[k] * (twist[k] - twist0[k]);
+        const Triple of_bend = combine(h * factor * (bending[k] + beam.moment), arc.turn,
+                                       -0.5 * h * h * bending[k], combine(1.0, own_a, 1.0, own_b));
+        const double of_deviation2 = 0.25 * h * h * beam.shearing * beam.shearing * beam.angle2;
+        const double moment = std::sqrt(dot(of_bend, of_bend)) + std::sqrt(of_deviation2);
+        const double by_deviation = bending_share[k] * ih * twist_of_deviation(chord, arc.turn);
+        const double torque = torsion[k] * (twist[k] + by_deviation - twist0[k]);
 
         const double normal = std::abs(tension) * axial_yield[k] + moment * bending_yield[k];
         const double shear = torque * torsion_yield[k];

@@ -49,7 +49,9 @@ struct SegmentChord {
     DRILLSTRAND_INLINE SegmentChord(const Triple& xa, const Triple& xb, double inverse_length,
                                     const Triple& ta, const Triple& tb, double inverse_both) {
         const Triple d = combine(inverse_length, xb, -inverse_length, xa);
-        const double d2 = dot(d, d);
+        constexpr double nothing = 1e-300;  // the padding behind the last node has no chord
+        const double square = dot(d, d);
+        const double d2 = square > nothing ? square : nothing;
         inverse_ratio = 1.0 / std::sqrt(d2);
         ratio = d2 * inverse_ratio;
         along = scaled(inverse_ratio, d);
@@ -127,6 +129,22 @@ struct BeamColumn {
 DRILLSTRAND_INLINE double twist_of_deviation(const SegmentChord& chord, const Triple& turn) {
     return dot(chord.deviation, turn);
 }
+
+/// How a segment's chord stretches and shears: D = dx / h, mean director m, g = D . m, sh = D - g
+/// m.
+struct SegmentStretch {
+    Triple chord;   ///< D
+    Triple mean;    ///< m
+    double along;   ///< g
+    Triple across;  ///< sh
+
+    DRILLSTRAND_INLINE SegmentStretch(const Triple& xa, const Triple& xb, double inverse_length,
+                                      const Triple& ta, const Triple& tb, double inverse_both)
+        : chord(combine(inverse_length, xb, -inverse_length, xa)),
+          mean(combine(inverse_both, ta, inverse_both, tb)),
+          along(dot(chord, mean)),
+          across(combine(1.0, chord, -along, mean)) {}
+};
 
 /// Curvature that a cross section with its own shape would have in the frame of a node (1/m).
 DRILLSTRAND_INLINE Triple own_curvature(double bend1, double bend2, const Triple& t,

@@ -31,8 +31,15 @@ struct StabilityFunctions {
         symmetric = y * y * inverse_q1 * inverse_q2 * (-1.0 / 3.0);
         symmetric_slope = 0.25 * (1.0 / 6.0 - 0.5 * inverse_q1 * (1.0 + y * inverse_q1));
         antisymmetric = 1.0 + y * (inverse_q2 - 0.2) * (1.0 / 3.0);
-        antisymmetric_slope = 0.25 * (0.1 - 0.5 * inverse_q2 * (1.0 + y * inverse_q2 * (1.0 / 3.0)));
+        antisymmetric_slope =
+            0.25 * (0.1 - 0.5 * inverse_q2 * (1.0 + y * inverse_q2 * (1.0 / 3.0)));
     }
 };
+
+/// X(y) = sqrt(y) coth sqrt(y).
+[[nodiscard]] inline double hyperbolic_cotangent_ratio(double y) {
+    const StabilityFunctions f(4.0 * y);
+    return 1.0 + f.symmetric + y * (1.0 / 3.0);
+}
 
 }  // namespace drillstrand

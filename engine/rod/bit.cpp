@@ -59,14 +59,15 @@ void Bit::finish(BitState& bit, const Table<SegmentRow>& segments, const Table<D
         return Vector3d(0.5 * (rod.vector(row, node_) + next.vector(row, node_)));
     };
     const double next_spin = next.row(DirectorRow::spin)[node_];
+    const Vector3d before = rod.vector(DirectorRow::director, node_);
+    const Vector3d couple = before.cross(segments.vector(SegmentRow::first_lean, node_));
     bit.work +=
-        step.kick *
-        (segments.vector(SegmentRow::pull, node_).dot(mean(DirectorRow::velocity)) +
-         segments.vector(SegmentRow::couple, node_).dot(mean(DirectorRow::angular_velocity)) +
-         segments.row(SegmentRow::torque)[node_] * 0.5 *
-             (rod.row(DirectorRow::spin)[node_] + next_spin));
+        step.kick * (segments.vector(SegmentRow::pull, node_).dot(mean(DirectorRow::velocity)) +
+                     couple.dot(mean(DirectorRow::angular_velocity)) +
+                     segments.row(SegmentRow::torque)[node_] * 0.5 *
+                         (rod.row(DirectorRow::spin)[node_] + next_spin));
     const Vector3d t = next.vector(DirectorRow::director, node_);
-    bit.d1 = followed(bit.d1, rod.vector(DirectorRow::director, node_), t, step.drift * next_spin);
+    bit.d1 = followed(bit.d1, before, t, step.drift * next_spin);
     const auto beyond = static_cast<std::ptrdiff_t>(node_) + 1;
     next.set(DirectorRow::position, beyond, next.vector(DirectorRow::position, node_));
     next.set(DirectorRow::director, beyond, t);

@@ -1,5 +1,6 @@
 #include "rod/director.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -28,10 +29,13 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         const auto set = [&](Row row, double value) { table_.row(row)[k] = value; };
         set(length, mesh.length[k]);
         set(inverse_length, 1 / mesh.length[k]);
+        const SegmentStiffness stiffness(s, mesh.length[k]);
         set(torsion, s.torsional_stiffness);
-        set(bending, s.bending_stiffness);
-        set(axial, s.axial_stiffness);
-        set(shear, s.shear_stiffness);
+        set(bending, stiffness.bending);
+        set(axial, stiffness.axial);
+        set(deviation, stiffness.deviation);
+        set(bending_share, stiffness.bending_share);
+        set(slenderness, stiffness.slenderness);
         set(twist0, s.curvature[0]);
         set(bend10, s.curvature[1]);
         set(bend20, s.curvature[2]);
@@ -116,8 +120,8 @@ struct SegmentRows {
     template <class Segments>
     SegmentRows(Segments& segments, std::ptrdiff_t first)
         : pull(segments.triples(SegmentRow::pull, first)),
-          couple(segments.triples(SegmentRow::couple, first)),
-          lean(segments.triples(SegmentRow::lean, first)),
+          first_lean(segments.triples(SegmentRow::first_lean, first)),
+          last_lean(segments.triples(SegmentRow::last_lean, first)),
           first_couple(segments.triples(SegmentRow::first_couple, first)),
           last_couple(segments.triples(SegmentRow::last_couple, first)),
           viscous_pull(segments.triples(SegmentRow::viscous_pull, first)),
@@ -128,7 +132,7 @@ struct SegmentRows {
           twist(segments.row(SegmentRow::twist) + first),
           torque(segments.row(SegmentRow::torque) + first),
           viscous_torque(segments.row(SegmentRow::viscous_torque) + first) {}
-    Vectors pull, couple, lean, first_couple, last_couple, viscous_pull, viscous_couple,
+    Vectors pull, first_lean, last_lean, first_couple, last_couple, viscous_pull, viscous_couple,
         viscous_lean, drag_force, drag_couple;
     Numbers twist, torque, viscous_torque;
 };
@@ -142,12 +146,18 @@ struct SegmentConstants {
           torsion(c.row(Constants::torsion) + first),
           bending(c.row(Constants::bending) + first),
           axial(c.row(Constants::axial) + first),
-          shear(c.row(Constants::shear) + first),
+          deviation(c.row(Constants::deviation) + first),
+          bending_share(c.row(Constants::bending_share) + first),
+          slenderness(c.row(Constants::slenderness) + first),
           twist0(c.row(Constants::twist0) + first),
           bend10(c.row(Constants::bend10) + first),
           bend20(c.row(Constants::bend20) + first) {}
-    const double *length, *inverse_length, *torsion, *bending, *axial, *shear, *twist0, *bend10,
-        *bend20;
+    const double *length, *inverse_length, *torsion, *bending, *axial, *deviation, *bending_share,
+        *slenderness, *twist0, *bend10, *bend20;
+
+    DRILLSTRAND_INLINE SegmentStiffness operator[](std::size_t k) const {
+        return {axial[k], bending[k], deviation[k], bending_share[k], slenderness[k]};
+    }
 };
 
 struct NodeConstants {
@@ -188,84 +198,84 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
 
         const SegmentBend arc(ta, tb);
         const Triple& a = arc.turn;
-        const double cosine = arc.cosine;
-        const double inverse_one = arc.inverse_one;
-        const double inverse_both = arc.inverse_both();
-
-        // stretch and shear
-        const SegmentStretch strain(a_node.x[k], b_node.x[k], ih, ta, tb, inverse_both);
-        const Triple& d = strain.chord;
-        const Triple& m = strain.mean;
-        const double g = strain.along;
-        const Triple& sh = strain.across;
-        const double stretch_force = c.axial[k] * (g - 1.0);
-        const Triple n = combine(stretch_force, m, c.shear[k], sh);
-        const double w = h * (c.shear[k] * g - stretch_force) * inverse_both;
-
-        // bending: kb = (b / sin b) (t_k x t_k+1) / h
         const double factor = arc.factor();
-        const double bend = factor * ih;
-        Triple bending_moment = scaled(c.bending[k] * bend, a);
+        const SegmentStiffness stiffness = c[k];
+        const SegmentChord chord(a_node.x[k], b_node.x[k], ih, ta, tb, arc.inverse_both());
+        const BeamColumn beam(stiffness, chord, factor * factor * dot(a, a));
 
-        // twist: h tau += dt (s_k+1 - s_k) + swept area; torque about e = (t_k + t_k+1)/(1 + cos b)
+        // the twist of the frames: h tau += dt (s_k+1 - s_k) + swept area
         const double twist =
             a_node.last_twist[k] + ih * (drift * (b_node.s[k] - a_node.s[k]) +
                                          swept_area(a_node.last_t[k], b_node.last_t[k], tb, ta));
-        double torque = c.torsion[k] * twist;
+        const double share = stiffness.bending_share;
+        double torque = c.torsion[k] * (twist + share * ih * twist_of_deviation(chord, a));
         if constexpr (curved) torque -= c.torsion[k] * c.twist0[k];
 
+        // gradients of the energy by D and by both directors
+        const Triple& e = chord.along;
+        const double twisting = torque * share;
+        const double by_deviation = twisting * ih * chord.inverse_ratio;
+        const Triple pull = combine(1.0, beam.pull(chord), by_deviation, without(a, e));
+        const double bend_moment = curved ? beam.moment : beam.moment + stiffness.bending;
+        const double bending = h * bend_moment * factor;
+        const Triple both = combine(h * beam.shearing * arc.inverse_both(), chord.deviation,
+                                    -torque * arc.inverse_one, a);
+        Triple first_lean = combine(1.0, both, bending, tb);
+        Triple last_lean = combine(1.0, both, bending, ta);
+        first_lean = combine(1.0, first_lean, twisting, cross(e, tb));
+        last_lean = combine(1.0, last_lean, twisting, cross(ta, e));
         if constexpr (curved) {
             // own shape: kappa = k1 d1 + k2 d2, the mean of both nodes'; m = EI (kb - kappa)
             const Triple kappa_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
             const Triple kappa_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
             const Triple kappa = combine(0.5, kappa_a, 0.5, kappa_b);
-            const double ei = c.bending[k];
-            const Triple moment = {ei * (bend * a.x - kappa.x), ei * (bend * a.y - kappa.y),
-                                   ei * (bend * a.z - kappa.z)};
-            // gradient of h m . kb: f = b / sin b of c = cos b, f' = (f c - 1) / |a|^2
-            const double a2_norm = dot(a, a);
-            const double slope = a2_norm > 1e-8 ? (factor * cosine - 1.0) / a2_norm : -1.0 / 3.0;
-            const double along = slope * dot(moment, a);
-            const Triple common = combine(factor * cosine, moment, -along, a);
-            const Triple on_first = combine(1.0, common, -factor * dot(moment, ta), tb);
-            const Triple on_last = combine(1.0, common, -factor * dot(moment, tb), ta);
+            const double ei = stiffness.bending * h * h;
+            const Triple moment = combine(ei * ih * factor, a, -ei, kappa);
+            // gradient of h m . kb, kb = f a / h: f = b / sin b of cos b
+            const double along = arc.slope(factor) * dot(moment, a);
+            first_lean = combine(1.0, first_lean, -along, tb);
+            last_lean = combine(1.0, last_lean, -along, ta);
+            first_lean = combine(1.0, first_lean, factor, cross(moment, tb));
+            last_lean = combine(1.0, last_lean, factor, cross(ta, moment));
             // gradient of -h m . kappa as the frames turn
-            const Triple turn_a = cross(kappa_a, moment);
-            const Triple turn_b = cross(kappa_b, moment);
-            out.first_couple.set(k, combine(1.0, on_first, 0.5 * h, turn_a));
-            out.last_couple.set(k, combine(-1.0, on_last, 0.5 * h, turn_b));
-            bending_moment = {0.0, 0.0, 0.0};
+            out.first_couple.set(k, scaled(0.5 * h, cross(kappa_a, moment)));
+            out.last_couple.set(k, scaled(0.5 * h, cross(kappa_b, moment)));
         }
         if constexpr (damping != Damping::none) {
             // rates of strain from velocities: g' = dv/h - w x D, k' = dw/h
             const Triple wa = combine(1.0, a_node.w[k], a_node.s[k], ta);
             const Triple wb = combine(1.0, b_node.w[k], b_node.s[k], tb);
             const Triple mean = combine(0.5, wa, 0.5, wb);
-            const Triple g_rate =
-                combine(1.0, combine(ih, b_node.v[k], -ih, a_node.v[k]), -1.0, cross(mean, d));
+            const Triple g_rate = combine(1.0, combine(ih, b_node.v[k], -ih, a_node.v[k]),
+                                          -chord.ratio, cross(mean, e));
             const Triple k_rate = combine(ih, wb, -ih, wa);
             out.drag_force.set(k, scaled(internal_damping.translation, g_rate));
             out.drag_couple.set(k, scaled(internal_damping.rotation, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
-                const double g_along = dot(g_rate, m);
-                const double stretching = kelvin_voigt * c.axial[k] * g_along;
-                const double shearing = kelvin_voigt * c.shear[k];
-                const double twisting = kelvin_voigt * c.torsion[k] * dot(k_rate, m);
-                const Triple along_both = combine(1.0, ta, 1.0, tb);
-                const Triple n_rate = combine(stretching - shearing * g_along, m, shearing, g_rate);
+                // eps' = S c' + c (b b'/12 + phi phi'/5): power of n eps' on g' and k'
+                const Triple by_chord =
+                    combine(beam.stretching, e, 0.2, without(chord.deviation, e));
+                const double by_bend = chord.ratio * factor * (1.0 / 12.0);
+                const double strain_rate = dot(by_chord, g_rate) + by_bend * h * dot(a, k_rate);
+                const double stretching = kelvin_voigt * stiffness.axial * strain_rate;
+                const Triple n_rate = combine(
+                    stretching, by_chord, kelvin_voigt * stiffness.deviation, without(g_rate, e));
+                const Triple& m = chord.mean;
+                const double torsion = kelvin_voigt * c.torsion[k] * dot(k_rate, m);
+                const double ei = kelvin_voigt * stiffness.bending * h * h;
+                Triple couple = combine(ei, without(k_rate, m), h * stretching * by_bend, a);
+                couple = combine(1.0, couple, torsion * arc.inverse_one, combine(1.0, ta, 1.0, tb));
                 out.viscous_pull.set(k, n_rate);
-                out.viscous_lean.set(k, scaled(0.5 * h, cross(d, n_rate)));
-                out.viscous_couple.set(k, combine(kelvin_voigt * c.bending[k], without(k_rate, m),
-                                                  twisting * inverse_one, along_both));
-                out.viscous_torque[k] = twisting;
+                out.viscous_lean.set(k, scaled(0.5 * h * chord.ratio, cross(e, n_rate)));
+                out.viscous_couple.set(k, couple);
+                out.viscous_torque[k] = torsion;
             }
         }
-        const double t = torque * inverse_one;
-        out.pull.set(k, n);
-        out.couple.set(k, combine(1.0, bending_moment, t, combine(1.0, ta, 1.0, tb)));
+        out.pull.set(k, pull);
+        out.first_lean.set(k, first_lean);
+        out.last_lean.set(k, last_lean);
         out.torque[k] = torque;
         out.twist[k] = twist;
-        out.lean.set(k, scaled(w, sh));
     };
 #pragma omp simd
     for (std::size_t k = 0; k < count; ++k)
@@ -403,16 +413,14 @@ struct RodNodes {
         Triple force = combine(ic, after.pull[k], -ic, before.pull[k]);
         const double mg = c.weight[k];
         force = combine(1.0, force, mg, down);
-        const Triple leaning = cross(t, combine(ic, after.lean[k], ic, before.lean[k]));
-        Triple couple = combine(ic, after.couple[k], -ic, before.couple[k]);
-        couple = combine(1.0, couple, 1.0, leaning);
+        Triple couple = cross(t, combine(ic, after.first_lean[k], ic, before.last_lean[k]));
         double torque = ic * (after.torque[k] - before.torque[k]);
         if constexpr (curved) {
             const Triple own = combine(ic, after.first_couple[k], ic, before.last_couple[k]);
             couple = combine(1.0, couple, 1.0, own);
             torque += dot(own, t);
+            couple = without(couple, t);
         }
-        couple = without(couple, t);
 
         Triple v = combine(1.0, in.v[k], to_velocity, force);
         double s = in.s[k] + to_spin * torque;
@@ -836,7 +844,10 @@ void write_end_load(Table<SegmentRow>& segments, std::ptrdiff_t ghost, const End
             segments.row(info.row, i)[ghost] = 0.0;
     }
     segments.set(SegmentRow::pull, ghost, load.force);
-    segments.set(SegmentRow::couple, ghost, load.couple);
+    // t x lean is what of the couple is normal to t
+    const Eigen::Vector3d lean = load.couple.cross(director);
+    segments.set(SegmentRow::first_lean, ghost, lean);
+    segments.set(SegmentRow::last_lean, ghost, -lean);
     segments.row(SegmentRow::torque)[ghost] = load.couple.dot(director);
 }
 

@@ -25,9 +25,11 @@ class DirectorConstants {
         length,              // segment, h (m)
         inverse_length,      // segment, 1 / h (1/m); 0 in the padding
         torsion,             // segment, GJ (N m2)
-        bending,             // segment, EI (N m2)
+        bending,             // segment, EI / h2 (N)
         axial,               // segment, EA (N)
-        shear,               // segment, k G A (N)
+        deviation,           // segment, 12 k EI / h2 (N)
+        bending_share,       // segment, k
+        slenderness,         // segment, EA h2 / EI
         twist0,              // segment, stress-free twist (1/m)
         bend10,              // segment, stress-free curvature about d1 (1/m)
         bend20,              // segment, stress-free curvature about d2 (1/m)
@@ -55,9 +57,9 @@ class DirectorConstants {
 enum class SegmentRow {
     twist,
     pull,
-    couple,
     torque,
-    lean,
+    first_lean,
+    last_lean,
     first_couple,
     last_couple,
     viscous_pull,
@@ -70,11 +72,11 @@ enum class SegmentRow {
 // clang-format off
 template <>
 inline constexpr auto row_list<SegmentRow> = std::to_array<RowInfo<SegmentRow>>({
-    {SegmentRow::twist,          "twist",          "1/m", 1, Extent::segments, Keep::derived, "tau at the whole step, stress-free twist included"},
+    {SegmentRow::twist,          "twist",          "1/m", 1, Extent::segments, Keep::derived, "of the frames, at the whole step, stress-free twist included"},
     {SegmentRow::pull,           "pull",           "N",   3, Extent::segments, Keep::derived, "n: force on the first node, its reaction on the last"},
-    {SegmentRow::couple,         "couple",         "N m", 3, Extent::segments, Keep::derived, "on the first node, its reaction on the last"},
     {SegmentRow::torque,         "torque",         "N m", 1, Extent::segments, Keep::derived, "about the directors"},
-    {SegmentRow::lean,           "lean",           "N m", 3, Extent::segments, Keep::derived, "h W: force on the directors of both nodes"},
+    {SegmentRow::first_lean,     "first_lean",     "N m", 3, Extent::segments, Keep::derived, "- dV/dt of the first director: couple t x lean"},
+    {SegmentRow::last_lean,      "last_lean",      "N m", 3, Extent::segments, Keep::derived, "- dV/dt of the last"},
     {SegmentRow::first_couple,   "first_couple",   "N m", 3, Extent::segments, Keep::derived, "curved: own-shape couple on the first node"},
     {SegmentRow::last_couple,    "last_couple",    "N m", 3, Extent::segments, Keep::derived, "curved: and on the last"},
     {SegmentRow::viscous_pull,   "viscous_pull",   "N",   3, Extent::segments, Keep::derived, "Kelvin-Voigt: as pull"},

@@ -33,26 +33,85 @@ std::vector<Eigen::Matrix3d> material_frames(const DirectorString& string,
 
 namespace {
 
-/// Stress of a segment in the axes of its middle: strains of chord, directors and twist, times
-/// stiffness.
+Triple node_triple(const DirectorSnapshot& at, DirectorRow row, std::size_t node) {
+    return triple(at.rod.vector(row, node));
+}
+
+/// A segment with the strains and forces of its exact beam-column.
+struct ReportedSegment {
+    ReportedSegment(const Scene& scene, std::size_t k, const DirectorSnapshot& at)
+        : section(scene.mesh.segment[k]),
+          length(scene.mesh.length[k]),
+          stiffness(section, length),
+          arc(node_triple(at, DirectorRow::director, k),
+              node_triple(at, DirectorRow::director, k + 1)),
+          chord(node_triple(at, DirectorRow::position, k),
+                node_triple(at, DirectorRow::position, k + 1), 1 / length,
+                node_triple(at, DirectorRow::director, k),
+                node_triple(at, DirectorRow::director, k + 1), arc.inverse_both()),
+          bend(arc.factor() / length * vector(arc.turn)),
+          beam(stiffness, chord, length * length * bend.squaredNorm()) {}
+
+    const SectionProperties& section;
+    double length;
+    SegmentStiffness stiffness;
+    SegmentBend arc;
+    SegmentChord chord;
+    Vector3d bend;  ///< kb (1/m)
+    BeamColumn beam;
+};
+
+/// Couples of the segments on their first and last nodes, those of damping left out (N m).
+Vector3d first_couple(const DirectorSnapshot& at, std::size_t k) {
+    const Vector3d t = at.rod.vector(DirectorRow::director, k);
+    return t.cross(at.segments.vector(SegmentRow::first_lean, k)) +
+           at.segments.vector(SegmentRow::first_couple, k) +
+           at.segments.row(SegmentRow::torque)[k] * t;
+}
+Vector3d last_couple(const DirectorSnapshot& at, std::size_t k) {
+    const Vector3d t = at.rod.vector(DirectorRow::director, k + 1);
+    return t.cross(at.segments.vector(SegmentRow::last_lean, k)) +
+           at.segments.vector(SegmentRow::last_couple, k) -
+           at.segments.row(SegmentRow::torque)[k] * t;
+}
+
+/// Stress in the middle of a segment, in its axes there: by the forces and couples on its ends. The
+/// middle of the beam-column lies h/8 (t_a - t_b)/X(z/16) beside that of the chord.
 Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
-    const double h = scene.mesh.length[k];
-    const auto node = [&](DirectorRow row, std::size_t i) { return triple(at.rod.vector(row, i)); };
-    const Triple ta = node(DirectorRow::director, k);
-    const Triple tb = node(DirectorRow::director, k + 1);
-    const SegmentBend arc(ta, tb);
-    const SegmentStretch stretch(node(DirectorRow::position, k), node(DirectorRow::position, k + 1),
-                                 1.0 / h, ta, tb, arc.inverse_both());
-    const Vector3d mean = vector(stretch.mean);
-    const Vector3d chord = vector(stretch.chord);
-    const Vector3d bend = arc.factor() / h * vector(arc.turn);
-    const Vector3d d1 = 0.5 * (at.frame[k].col(1) + at.frame[k + 1].col(1));
-    const Vector3d d2 = 0.5 * (at.frame[k].col(2) + at.frame[k + 1].col(2));
-    Vector6 strain;
-    strain << at.segments.row(SegmentRow::twist)[k], bend.dot(d1), bend.dot(d2), stretch.along,
-        chord.dot(d1 - d1.dot(mean) * mean), chord.dot(d2 - d2.dot(mean) * mean);
-    const SectionProperties& section = scene.mesh.segment[k];
-    return stiffness_of(section).cwiseProduct(strain - stress_free_strain(section));
+    const ReportedSegment segment(scene, k, at);
+    const Vector3d turn =
+        at.rod.vector(DirectorRow::director, k) - at.rod.vector(DirectorRow::director, k + 1);
+    const double z = segment.beam.strain * segment.stiffness.slenderness;
+    const Vector3d aside = segment.length / 8 / hyperbolic_cotangent_ratio(z / 16) * turn;
+    const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
+    const Vector3d couple = 0.5 * (first_couple(at, k) - last_couple(at, k)) - aside.cross(pull);
+    const Vector3d t =
+        (1.5 * vector(segment.chord.along) - 0.5 * vector(segment.chord.mean)).normalized();
+    const auto middle = [&](Eigen::Index axis) {
+        const Vector3d d = 0.5 * (at.frame[k].col(axis) + at.frame[k + 1].col(axis));
+        return Vector3d((d - d.dot(t) * t).normalized());
+    };
+    const Vector3d d1 = middle(1);
+    const Vector3d d2 = t.cross(d1);
+    Vector6 stress;
+    stress << at.segments.row(SegmentRow::torque)[k], couple.dot(d1), couple.dot(d2), pull.dot(t),
+        pull.dot(d1), pull.dot(d2);
+    return stress;
+}
+
+double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
+    const ReportedSegment segment(scene, k, at);
+    const SectionProperties& section = segment.section;
+    const auto own = [&](std::size_t node) {
+        return vector(own_curvature(section.curvature[1], section.curvature[2],
+                                    triple(Vector3d(at.frame[node].col(0))),
+                                    triple(Vector3d(at.frame[node].col(1)))));
+    };
+    const double torque = at.segments.row(SegmentRow::torque)[k];
+    const double bending = (segment.bend - 0.5 * (own(k) + own(k + 1))).squaredNorm();
+    return segment.length *
+           (segment.beam.energy(segment.stiffness) + 0.5 * section.bending_stiffness * bending +
+            0.5 * torque * torque / section.torsional_stiffness);
 }
 
 }  // namespace
@@ -146,7 +205,8 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     EnergyAccount& energy = record.energy;
     for (std::size_t k = 0; k <= last; ++k)
         energy.kinetic += kinetic_energy(scene, at.rod, at.wall, k);
-    energy.elastic = elastic_energy(scene, at.stress);
+    for (std::size_t k = 0; k < last; ++k)
+        energy.elastic += elastic_energy(scene, k, at);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())

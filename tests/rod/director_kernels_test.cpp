@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/segment_strain.hpp"
 #include "rod/director_plain.hpp"
 #include "rod/director_steps.hpp"
 #include "support/dice.hpp"
@@ -93,6 +94,9 @@ Scene scene_of(const Variant& variant) {
 PlainRod random_rod(const Scene& scene, Dice& dice) {
     PlainRod rod;
     const std::size_t nodes = scene.mesh.node.size();
+    // in a well: some rods near the axis, the others near the wall, around it by and by
+    const bool central = dice.between(0, 1) < 0.3;
+    double bearing = dice.between(0, 6);
     for (std::size_t k = 0; k < nodes; ++k) {
         PlainNode node;
         const Vector3d& t0 = scene.initial_nodes.director[k];
@@ -101,21 +105,30 @@ PlainRod random_rod(const Scene& scene, Dice& dice) {
             // half of the nodes in the wall, up to 2 cm, one in ten with a thin film between; all
             // of them below the mouth, where the arc is not one of 100 km and its rounding
             const double clearance = 0.16 - scene.mesh.node[k].outer_radius;
-            const Vector3d aside = dice.vector(1).cross(t0).normalized();
+            const Vector3d level = Vector3d::UnitX().cross(t0).normalized();
+            bearing += dice.between(-0.3, 0.3);
+            const Vector3d aside = std::cos(bearing) * level + std::sin(bearing) * t0.cross(level);
             const double place = dice.between(0, 1);
-            const double eccentricity = place < 0.5   ? clearance + dice.between(1e-3, 0.02)
+            const double eccentricity = central       ? clearance * dice.between(0.05, 0.4)
+                                        : place < 0.5 ? clearance + dice.between(1e-3, 0.02)
                                         : place < 0.6 ? clearance * dice.between(0.99, 1)
-                                                      : clearance * dice.between(0.05, 0.95);
+                                                      : clearance * dice.between(0.6, 0.95);
             node.position = scene.initial_nodes.position[k] + 0.3 * t0 + eccentricity * aside;
         } else if (k == 0) {
             node.director = dice.vector(1).normalized();
             node.position = dice.vector(1);
         } else {
+            // stretched by up to 3 %, but not to more than some half waves of bending per segment
             const PlainNode& last = rod.node.back();
-            node.director = (last.director + dice.vector(0.2)).normalized();
-            node.position = last.position +
-                            scene.mesh.length[k - 1] * (1 + dice.between(-0.03, 0.03)) *
-                                (last.director + node.director + dice.vector(0.06)).normalized();
+            const SegmentStiffness stiffness(scene.mesh.segment[k - 1], scene.mesh.length[k - 1]);
+            const double strain = std::min(0.03, 5 / stiffness.slenderness);
+            const Vector3d turn = dice.vector(std::min(0.2, std::sqrt(strain)));
+            node.director = (last.director + turn).normalized();
+            const Vector3d deviation = dice.vector(std::min(0.03, std::sqrt(strain)));
+            const Vector3d mean = (last.director + node.director).normalized();
+            node.position = last.position + scene.mesh.length[k - 1] *
+                                                (1 + strain * dice.between(-1, 1)) *
+                                                (mean + deviation).normalized();
         }
         const Vector3d& t = node.director;
         node.velocity = dice.vector(1);

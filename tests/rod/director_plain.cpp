@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <unsupported/Eigen/AutoDiff>
 
 #include "forces/implicit_contact.hpp"
 #include "forces/surroundings.hpp"
@@ -40,92 +42,130 @@ struct Wrench {
     double torque = 0;                   ///< about the director
 };
 
-/// Strains of a segment.
-struct Strain {
-    Vector3d chord, mean, shear, bend, own;  ///< bend: its own shape in space not yet subtracted
-    double stretch;
-};
+// The energy of a segment in numbers that carry their derivatives: forces are its gradient by the
+// displacements and the rotations of both nodes.
+using Gradient = Eigen::Matrix<double, 12, 1>;  // x_a, w_a, x_b, w_b
+using Number = Eigen::AutoDiffScalar<Gradient>;
+using Vector = Eigen::Matrix<Number, 3, 1>;
 
-Strain strain_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
+/// Half the angle function of the beam-column, sqrt(y) coth sqrt(y); its derivative follows from
+/// its differential equation, 2 y X' = X + y - X^2.
+Number cotangent_ratio(const Number& y) {
+    const double v = y.value();
+    double value = 0;
+    double slope = 0;
+    if (std::abs(v) < 0.05) {
+        constexpr std::array series{
+            1.,           1. / 3, -1. / 45, 2. / 945, -1. / 4725., 2. / 93555., -1382. / 638512875.,
+            4. / 18243225};
+        for (std::size_t n = series.size(); n-- > 0;) {
+            slope = slope * v + static_cast<double>(n + 1 < series.size() ? n + 1 : 0) *
+                                    (n + 1 < series.size() ? series[n + 1] : 0);
+            value = value * v + series[n];
+        }
+    } else {
+        const double root = std::sqrt(std::abs(v));
+        value = v > 0 ? root / std::tanh(root) : root / std::tan(root);
+        slope = (value + v - value * value) / (2 * v);
+    }
+    return {value, slope * y.derivatives()};
+}
+
+/// The angle between two unit vectors, squared.
+Number angle2(const Vector& a, const Vector& b) {
+    const Vector normal = a.cross(b);
+    const double sine = std::sqrt(normal.squaredNorm().value());
+    const double cosine = a.dot(b).value();
+    const double angle = std::atan2(sine, cosine);
+    const double ratio = sine > 1e-7 ? angle / sine : 1;
+    return {angle * angle, -2 * ratio * a.dot(b).derivatives()};
+}
+
+Vector moved(const Vector3d& position, Eigen::Index first) {
+    Vector x;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        x[i] = Number(position[i], Gradient::Unit(first + i));
+    return x;
+}
+
+/// A vector that turns with the rotation of its node.
+Vector turned_with(const Vector3d& v, Eigen::Index first) {
+    Vector turned;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        Gradient slope = Gradient::Zero();
+        slope.segment<3>(first) = v.cross(Vector3d::Unit(i));
+        turned[i] = Number(v[i], slope);
+    }
+    return turned;
+}
+
+/// Energy of a segment, engine/rod/README.md, "Segment".
+Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     const PlainNode& a = rod.node[k];
     const PlainNode& b = rod.node[k + 1];
+    const SectionProperties& section = scene.mesh.segment[k];
     const double h = scene.mesh.length[k];
-    Strain s;
-    s.chord = (b.position - a.position) / h;
-    s.mean = (a.director + b.director).normalized();
-    s.stretch = s.chord.dot(s.mean);
-    s.shear = s.chord - s.stretch * s.mean;
-    const Vector3d normal = a.director.cross(b.director);
-    const double angle = std::atan2(normal.norm(), a.director.dot(b.director));
-    s.bend = normal.norm() > 0 ? Vector3d(angle / h * normal.normalized()) : Vector3d::Zero();
-    const Vector3d& curvature = scene.mesh.segment[k].curvature;
-    s.own.setZero();
-    for (const PlainNode* n : {&a, &b}) {
-        s.own += 0.5 * (curvature[1] * n->material + curvature[2] * n->director.cross(n->material));
-    }
-    return s;
+    const double ea = section.axial_stiffness;
+    const double ei = section.bending_stiffness;
+    const double share = 1 / (1 + 12 * ei / (section.shear_stiffness * h * h));
+
+    const Vector chord = (moved(b.position, 6) - moved(a.position, 0)) / Number(h);
+    const Vector ta = turned_with(a.director, 3);
+    const Vector tb = turned_with(b.director, 9);
+    const Number c = sqrt(chord.squaredNorm());
+    const Vector e = chord / c;
+    const Vector sum = ta + tb;
+    const Vector mean = sum / sqrt(sum.squaredNorm());
+    const Vector off = e - mean;
+    const Number phi2 = off.squaredNorm();  // 2 (1 - e.m)
+    const Number b2 = angle2(ta, tb);
+
+    const Number strain = c * (1.0 + b2 / 24.0 + phi2 / 10.0) - 1.0;
+    const Number z = strain * (ea * h * h / ei);
+    const Number x = cotangent_ratio(z / 4.0);
+    const Number symmetric = x - z / 12.0;
+    // Y = y / (3 (X - 1)); where y is nothing, 1
+    const Number y = z / 4.0;
+    const Number slow = std::abs(y.value()) > 1e-3 ? Number(y / (3.0 * (x - 1.0)))
+                                                   : Number(1.0 + y / 15.0 - y * y / 525.0);
+    const Number antisymmetric = slow - z / 60.0;
+
+    Vector bend = ta.cross(tb);
+    const double sine2 = bend.squaredNorm().value();
+    const Number ratio =
+        sine2 > 1e-14 ? Number(sqrt(b2 / bend.squaredNorm())) : Number(1.0 + b2 / 6.0);
+    bend *= ratio / h;
+    const Vector3d& own = section.curvature;
+    const auto own_of = [&](const PlainNode& node, Eigen::Index first) {
+        return Vector(Number(own[1]) * turned_with(node.material, first) +
+                      Number(own[2]) * turned_with(node.director.cross(node.material), first));
+    };
+    const Vector own_bend = (own_of(a, 3) + own_of(b, 9)) / Number(2);
+    const Vector elastic_bend = bend - own_bend;
+
+    // twist of the frames, whose change is e_w . (w_b - w_a), and of the cubic between the nodes
+    const Vector3d axis = (a.director + b.director) / (1 + a.director.dot(b.director));
+    Gradient by_rotation = Gradient::Zero();
+    by_rotation.segment<3>(3) = -axis / h;
+    by_rotation.segment<3>(9) = axis / h;
+    const Number twist =
+        Number(rod.twist[k] - own[0], by_rotation) + share / h * e.dot(ta.cross(tb));
+
+    return h * (ea / 2 * strain * strain + ei / 2 * elastic_bend.squaredNorm() +
+                ei / (h * h) * ((symmetric - 1.0) * b2 / 2.0 + 6 * share * antisymmetric * phi2) +
+                section.torsional_stiffness / 2 * twist * twist);
 }
 
 /// Adds a segment's elastic forces to its end nodes.
 void add_elastic(const Scene& scene, const PlainRod& rod, std::size_t k, Wrench& on_a,
                  Wrench& on_b) {
-    const PlainNode& a = rod.node[k];
-    const PlainNode& b = rod.node[k + 1];
-    const SectionProperties& section = scene.mesh.segment[k];
-    const double h = scene.mesh.length[k];
-    const Strain strain = strain_of(scene, rod, k);
-
-    const Vector3d n = section.axial_stiffness * (strain.stretch - 1) * strain.mean +
-                       section.shear_stiffness * strain.shear;
-    on_a.force += n;
-    on_b.force -= n;
-    // energy h/2 (EA (g-1)^2 + kGA (D^2 - g^2)) as a function of the mean director
-    const Matrix3d change_of_mean = (Matrix3d::Identity() - strain.mean * strain.mean.transpose()) /
-                                    (a.director + b.director).norm();
-    const Vector3d pull_on_mean = h *
-                                  (section.shear_stiffness * strain.stretch -
-                                   section.axial_stiffness * (strain.stretch - 1)) *
-                                  strain.chord;
-    on_a.couple += a.director.cross(change_of_mean * pull_on_mean);
-    on_b.couple += b.director.cross(change_of_mean * pull_on_mean);
-
-    const double twist = rod.twist[k] - section.curvature[0];
-    const double torque = section.torsional_stiffness * twist;
-    const Vector3d axis = (a.director + b.director) / (1 + a.director.dot(b.director));
-    on_a.couple += torque * axis;
-    on_b.couple -= torque * axis;
-    on_a.torque += torque;
-    on_b.torque -= torque;
-
-    // h m . (bend - own), m = EI (bend - own), as the directors turn by a small vector each;
-    // bend = f(c) a / h, c = cos b, f = b / sin b
-    const Vector3d moment = section.bending_stiffness * (strain.bend - strain.own);
-    const Vector3d normal = a.director.cross(b.director);
-    const double cosine = a.director.dot(b.director);
-    const double angle = std::atan2(normal.norm(), cosine);
-    // series of f and b cot b where the difference loses digits
-    const double b2 = angle * angle;
-    const bool small = angle < 0.1;
-    const double f = small ? 1 + b2 / 6 + b2 * b2 * 7 / 360 + std::pow(b2, 3) * 31 / 15120 +
-                                 std::pow(b2, 4) * 127 / 604800
-                           : angle / std::sin(angle);
-    const double cotangent_part =
-        small ? -b2 / 3 - b2 * b2 / 45 - std::pow(b2, 3) * 2 / 945 - std::pow(b2, 4) / 4725
-              : f * cosine - 1;  // b cot b - 1
-    const double df_dc = cotangent_part / normal.squaredNorm();
-    const Vector3d along = df_dc * moment.dot(normal) * normal;
-    const auto own_of = [&](const PlainNode& node) {
-        return Vector3d(section.curvature[1] * node.material +
-                        section.curvature[2] * node.director.cross(node.material));
-    };
-    const Vector3d bending_a =
-        h / 2 * own_of(a).cross(moment) - along - f * a.director.cross(b.director.cross(moment));
-    const Vector3d bending_b =
-        h / 2 * own_of(b).cross(moment) + along - f * b.director.cross(moment.cross(a.director));
-    on_a.couple += bending_a;
-    on_b.couple += bending_b;
-    on_a.torque += bending_a.dot(a.director);
-    on_b.torque += bending_b.dot(b.director);
+    const Gradient force = -energy_of(scene, rod, k).derivatives();
+    on_a.force += force.segment<3>(0);
+    on_a.couple += force.segment<3>(3);
+    on_a.torque += force.segment<3>(3).dot(rod.node[k].director);
+    on_b.force += force.segment<3>(6);
+    on_b.couple += force.segment<3>(9);
+    on_b.torque += force.segment<3>(9).dot(rod.node[k + 1].director);
 }
 
 /// Kelvin-Voigt damping and D_in, with the rates of strain of the half step before.
@@ -135,25 +175,39 @@ void add_internal_damping(const Scene& scene, const PlainRod& rod, std::size_t k
     const PlainNode& b = rod.node[k + 1];
     const SectionProperties& section = scene.mesh.segment[k];
     const double h = scene.mesh.length[k];
-    const Strain strain = strain_of(scene, rod, k);
+    const Vector3d chord = (b.position - a.position) / h;
+    const Vector3d e = chord.normalized();
+    const Vector3d mean = (a.director + b.director).normalized();
     const Vector3d w_a = a.angular_velocity + a.spin * a.director;
     const Vector3d w_b = b.angular_velocity + b.spin * b.director;
-    const Vector3d g_rate = (b.velocity - a.velocity) / h - (0.5 * (w_a + w_b)).cross(strain.chord);
-    const Vector3d k_rate = (w_b - w_a) / h;
-    const Matrix3d onto_mean = strain.mean * strain.mean.transpose();
-    const Matrix3d across_mean = Matrix3d::Identity() - onto_mean;
+    const Vector3d g_rate = (b.velocity - a.velocity) / h - (0.5 * (w_a + w_b)).cross(chord);
+    const Vector3d turn_rate = w_b - w_a;
 
+    // rates of c, of the angle between the directors and of the chord's deviation from their mean
     const double tau = scene.damping.kelvin_voigt;
-    const Vector3d n = tau * (section.axial_stiffness * onto_mean * g_rate +
-                              section.shear_stiffness * across_mean * g_rate);
-    const double twisting = tau * section.torsional_stiffness * k_rate.dot(strain.mean);
-    const Vector3d m = tau * section.bending_stiffness * across_mean * k_rate +
+    const Vector3d normal = a.director.cross(b.director);
+    const double angle = std::atan2(normal.norm(), a.director.dot(b.director));
+    const Vector3d bend = (normal.norm() > 1e-9 ? angle / normal.norm() : 1) * normal;
+    const double phi2 = (e - mean).squaredNorm();
+    const Vector3d deviation = across(e, mean);
+    const double stretching = 1 + angle * angle / 24 + phi2 / 10;
+    const double strain_rate = stretching * g_rate.dot(e) + across(deviation, e).dot(g_rate) / 5 +
+                               chord.norm() * bend.dot(turn_rate) / 12;
+    const double share =
+        1 / (1 + 12 * section.bending_stiffness / (section.shear_stiffness * h * h));
+    const double tension = tau * section.axial_stiffness * strain_rate;
+    const double shearing = tau * 12 * share * section.bending_stiffness / (h * h);
+    const Vector3d n =
+        tension * (stretching * e + across(deviation, e) / 5) + shearing * across(g_rate, e);
+    const double twisting = tau * section.torsional_stiffness / h * turn_rate.dot(mean);
+    const Vector3d m = tau * section.bending_stiffness / h * across(turn_rate, mean) +
+                       tension * chord.norm() * h / 12 * bend +
                        twisting / (1 + a.director.dot(b.director)) * (a.director + b.director);
-    const Vector3d lean = h / 2 * strain.chord.cross(n);
+    const Vector3d lean = h / 2 * chord.cross(n);
     // D_in acts on the node toward the bit
     const DampingPair& internal = scene.damping.internal;
     const Vector3d slowed = internal.translation * scene.mesh.cell[k + 1] * g_rate;
-    const Vector3d stilled = internal.rotation * scene.mesh.cell[k + 1] * k_rate;
+    const Vector3d stilled = internal.rotation * scene.mesh.cell[k + 1] * turn_rate / h;
     on_a.force += n;
     on_b.force += -n - slowed;
     on_a.couple += m + lean;
@@ -368,16 +422,8 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
 
 double plain_elastic_energy(const Scene& scene, const PlainRod& rod) {
     double sum = 0;
-    for (std::size_t k = 0; k + 1 < rod.node.size(); ++k) {
-        const SectionProperties& s = scene.mesh.segment[k];
-        const Strain strain = strain_of(scene, rod, k);
-        const double twist = rod.twist[k] - s.curvature[0];
-        sum += scene.mesh.length[k] / 2 *
-               (s.axial_stiffness * std::pow(strain.stretch - 1, 2) +
-                s.shear_stiffness * strain.shear.squaredNorm() +
-                s.bending_stiffness * (strain.bend - strain.own).squaredNorm() +
-                s.torsional_stiffness * twist * twist);
-    }
+    for (std::size_t k = 0; k + 1 < rod.node.size(); ++k)
+        sum += energy_of(scene, rod, k).value();
     return sum;
 }
 
