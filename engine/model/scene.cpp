@@ -39,6 +39,13 @@ double damping_ratio_for(double restitution) {
     return 0.5 * (low + high);
 }
 
+/// The leapfrog's rod and that of statics bend as cubics; what holds the head takes its couple.
+Lumping lumping_of(const Case& input) {
+    if (input.run.integrator == IntegratorKind::dormand_prince) return Lumping::cells;
+    return input.head.motion == HeadMotion::free ? Lumping::cubic_free_head
+                                                 : Lumping::cubic_clamped_head;
+}
+
 /// Springs and dashpots of the wall at each node. The bit's node carries those of the wall that the
 /// bit touches on the length of its own cell, as it carries every load.
 void set_wall(Scene& scene) {
@@ -146,7 +153,7 @@ double buoyed_weight(const SectionProperties& section, const std::optional<Fluid
 Scene build_scene(const Case& input) {
     Scene scene;
     scene.segments = input.mesh.segments;
-    scene.mesh = mesh_string(input.string, input.mesh.segments);
+    scene.mesh = mesh_string(input.string, input.mesh.segments, lumping_of(input));
     scene.features = features_of(input, scene.mesh);
     scene.fluid = input.fluid;
     scene.contact = input.contact;
@@ -186,6 +193,11 @@ Scene build_scene(const Case& input) {
     }
     if (const auto note = note_on_braked_spin(scene)) scene.notes.push_back(*note);
     return scene;
+}
+
+Scene build_static_scene(Case input) {
+    input.run.integrator = IntegratorKind::leapfrog;
+    return build_scene(input);
 }
 
 }  // namespace drillstrand

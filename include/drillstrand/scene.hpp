@@ -76,6 +76,9 @@ struct Scene {
 /// finds the equilibrium that a case may ask for.
 Scene build_scene(const Case& input);
 
+/// Builds the scene of a case for statics, whose rod is the leapfrog's whatever integrates runs.
+Scene build_static_scene(Case input);
+
 /// Frame (d3, d1, d2 in the columns) with the given d3: d1 is east made normal to d3, or north
 /// where d3 is within 25 degrees of east or west; d2 = d3 x d1.
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3);
