@@ -44,8 +44,10 @@ struct Scene {
     /// N+1, mass that moves sideways: the pipe, the fluid in it, and the fluid around it as in the
     /// middle of the hole (kg/m)
     std::vector<double> lateral_mass;
-    std::vector<double> inertia;  ///< N+1, rho I, plus (lateral mass) h^2/12 with segment inertia
-    std::vector<double> weight;   ///< N+1, buoyed weight (N/m)
+    /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 3 k EI m/EA,
+    /// for dormand-prince plus (lateral mass) h^2/12 with segment inertia
+    std::vector<double> inertia;
+    std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
     /// with the wall that it touches besides. Empty without a well.
     std::vector<double> normal_stiffness;
