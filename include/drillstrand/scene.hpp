@@ -29,9 +29,8 @@ struct SceneFeatures {
     bool curved = false;  ///< a stress-free shape that is not straight
 };
 
-/// Nodes of a string whose chords are as long as its segments and lie along the mean of the two
-/// directors, neither stretched nor, but for a little in a well, sheared; or those of an
-/// equilibrium.
+/// Nodes of a string whose beam-column segments are not stretched (engine/model/README.md, "Initial
+/// nodes"); or those of an equilibrium.
 struct InitialNodes {
     std::vector<Eigen::Vector3d> position;  ///< N+1 (m)
     std::vector<Eigen::Vector3d> director;  ///< N+1, d3
@@ -67,7 +66,7 @@ struct Scene {
     Eigen::Matrix3d head_frame = Eigen::Matrix3d::Identity();
     /// N, initial strains (k3, k1, k2, g3, g1, g2); the string starts at rest.
     std::vector<Vector6> initial_strain;
-    /// The same shape as nodes joined by chords, for integrators whose segments are not arcs.
+    /// The same shape as nodes joined by beam-columns, for integrators whose segments are not arcs.
     InitialNodes initial_nodes;
     /// What a reader of the results should know of the scene, a sentence each.
     std::vector<std::string> notes;
