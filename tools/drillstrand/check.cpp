@@ -195,7 +195,7 @@ void print_contact(const Scene& scene) {
                                       contact.normal_damping));
     if (scene.bit.contact_length > 0) {
         line("wall at the bit",
-             fmt::format("{:.4g} m more than the half cell of its node", scene.bit.contact_length));
+             fmt::format("{:.4g} m more than the cell of its node", scene.bit.contact_length));
     }
     line("friction",
          fmt::format("law {}, static {:.3g} axial {:.3g} azimuthal, dynamic {:.3g} and {:.3g}",
