@@ -62,9 +62,7 @@ MeshCase read_mesh(const Table& root, double string_length) {
         mesh.segments = table.require("segments", "a number of segments, or element_length")
                             .whole_number(1, most_segments);
     }
-    if (const std::optional<Value> inertia = table.find("segment_inertia")) {
-        mesh.segment_inertia = inertia->boolean();
-    }
+    mesh.segment_inertia = table.boolean("segment_inertia", mesh.segment_inertia);
     return mesh;
 }
 

@@ -58,6 +58,11 @@ Stretches stretches_of(const StringCase& string) {
     return stretches;
 }
 
+/// What a node has of the string around it.
+constexpr std::array lumped{&SectionProperties::mass, &SectionProperties::inertia,
+                            &SectionProperties::polar_inertia, &SectionProperties::metal_area,
+                            &SectionProperties::outer_area};
+
 constexpr std::array stiffnesses{
     &SectionProperties::axial_stiffness, &SectionProperties::shear_stiffness,
     &SectionProperties::bending_stiffness, &SectionProperties::torsional_stiffness};
@@ -75,37 +80,40 @@ class Walk {
   public:
     explicit Walk(const Stretches& stretches) : stretches_(stretches) {}
 
+    /// Calls visit(properties, begin, end) for each stretch between two places (m).
+    template <class Visit>
+    void over(double from, double to, const Visit& visit) {
+        go_to(from);
+        for (std::size_t i = here_; i < stretches_.property.size() && stretches_.boundary[i] < to;
+             ++i) {
+            const double begin = std::max(from, stretches_.boundary[i]);
+            const double end = std::min(to, stretches_.boundary[i + 1]);
+            if (end > begin) visit(stretches_.property[i], begin, end);
+        }
+    }
+
     /// Means from one place to another: arithmetic for what adds up along the string (mass, area,
     /// stress-free curvature), harmonic for stiffnesses, whose compliances add up, the least of
     /// yield loads. The radius is left out: it is a property of a point.
     SectionProperties mean_over(double from, double to) {
-        go_to(from);
         // Compliances are counted relative to the first stiffness met, so that no digit is lost
         // where all are equal.
         const SectionProperties* first = nullptr;
         SectionProperties mean;
         SectionProperties compliance;
         double covered = 0;
-        for (std::size_t i = here_; i < stretches_.property.size() && stretches_.boundary[i] < to;
-             ++i) {
-            const double overlap =
-                std::min(to, stretches_.boundary[i + 1]) - std::max(from, stretches_.boundary[i]);
-            if (overlap <= 0) continue;
-            const SectionProperties& part = stretches_.property[i];
+        over(from, to, [&](const SectionProperties& part, double begin, double end) {
             if (!first) first = &part;
-            covered += overlap;
-            const double share = overlap / covered;
-            add_to_mean(mean.mass, part.mass, share);
-            add_to_mean(mean.inertia, part.inertia, share);
-            add_to_mean(mean.polar_inertia, part.polar_inertia, share);
-            add_to_mean(mean.metal_area, part.metal_area, share);
-            add_to_mean(mean.outer_area, part.outer_area, share);
+            covered += end - begin;
+            const double share = (end - begin) / covered;
+            for (const auto property : lumped)
+                add_to_mean(mean.*property, part.*property, share);
             add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
             for (const auto load : yield_loads)
                 mean.yield.*load = std::min(mean.yield.*load, part.yield.*load);
             for (const auto stiffness : stiffnesses)
                 add_to_mean(compliance.*stiffness, first->*stiffness / part.*stiffness, share);
-        }
+        });
         for (const auto stiffness : stiffnesses)
             mean.*stiffness = first->*stiffness / compliance.*stiffness;
         return mean;
@@ -135,9 +143,128 @@ class Walk {
     std::size_t here_ = 0;
 };
 
+/// Integrals, from its start to the fraction x of its length, of the cubics on a segment that have
+/// the value 1 or the slope 1 (per length of the segment) at one of its ends and are 0 otherwise.
+struct CubicIntegrals {
+    double first, first_slope;
+    double last, last_slope;
+
+    explicit CubicIntegrals(double x)
+        : first(x - x * x * x * (1 - x / 2)),
+          first_slope(x * x * (0.5 - x * (2.0 / 3 - x / 4))),
+          last(x * x * x * (1 - x / 2)),
+          last_slope(x * x * x * (x / 4 - 1.0 / 3)) {}
+    CubicIntegrals(double from, double to) : CubicIntegrals(to) {
+        const CubicIntegrals before(from);
+        first -= before.first;
+        first_slope -= before.first_slope;
+        last -= before.last;
+        last_slope -= before.last_slope;
+    }
+};
+
+/// Lumps the string at its nodes as the cubics through them do, whose slopes are differences of the
+/// nodes' own places: engine/model/README.md, "Lumping".
+class CubicLumping {
+  public:
+    CubicLumping(std::size_t segments, bool head_is_free)
+        : node_(segments + 1), head_is_free_(head_is_free) {}
+
+    /// A stretch of uniform properties, between two fractions of a segment.
+    void add(std::size_t segment, const SectionProperties& part, double from, double to) {
+        CubicIntegrals weight(from, to);
+        const bool first_is_end = segment == 0;
+        const bool last_is_end = segment + 2 == node_.size();
+        double turned = 0;  // load that slopes at an end move from the first to the last node
+        if (first_is_end && head_is_free_) turned += weight.first_slope;
+        if (last_is_end) turned += weight.last_slope;
+        node_[segment].add(part, weight.first - turned);
+        node_[segment + 1].add(part, weight.last + turned);
+        if (!first_is_end) node_[segment].add_couple(part, weight.first_slope);
+        if (!last_is_end) node_[segment + 1].add_couple(part, weight.last_slope);
+    }
+
+    /// Sets what is lumped, per length of the cell, of the nodes of a mesh.
+    void lump(std::vector<SectionProperties>& nodes) const {
+        for (const auto property : lumped) {
+            for (std::size_t k = 0; k < nodes.size(); ++k)
+                nodes[k].*property = node_[k].mean.*property;
+            for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
+                const double moved = shift(k, property);
+                nodes[k - 1].*property -= moved / node_[k - 1].weight;
+                nodes[k + 1].*property += moved / node_[k + 1].weight;
+            }
+        }
+    }
+
+  private:
+    using Property = double SectionProperties::*;
+
+    struct Node {
+        double weight = 0;  ///< in lengths of a segment
+        SectionProperties mean;
+        const SectionProperties* reference = nullptr;
+        SectionProperties couple;  ///< of what differs from the reference
+
+        void add(const SectionProperties& part, double share) {
+            weight += share;
+            for (const auto property : lumped)
+                add_to_mean(mean.*property, part.*property, share / weight);
+        }
+        void add_couple(const SectionProperties& part, double share) {
+            if (!reference) reference = &part;
+            for (const auto property : lumped)
+                couple.*property += share * (part.*property - reference->*property);
+        }
+    };
+
+    /// What the couple on a node moves from the node before to the node after it. A node keeps a
+    /// quarter of its own at least: a mass that vanished would be too fast for any step.
+    [[nodiscard]] double shift(std::size_t node, Property property) const {
+        constexpr double most = 3.0 / 8;  // to either neighbour
+        const auto own = [&](const Node& at) { return at.weight * at.mean.*property; };
+        return std::clamp(node_[node].couple.*property / 2, -most * own(node_[node + 1]),
+                          most * own(node_[node - 1]));
+    }
+
+    std::vector<Node> node_;
+    bool head_is_free_;
+};
+
+/// Cells (m) of a uniform string on segments of the length h: a load on a free end's node is shared
+/// with its neighbour.
+std::vector<double> cubic_cells(std::size_t segments, double h, bool head_is_free) {
+    std::vector<double> cell(segments + 1, h);
+    cell.front() = cell.back() = h / 2;
+    const auto share = [&](double& end, double& neighbour) {
+        end -= h / 12;
+        neighbour += h / 12;
+    };
+    share(cell[segments], cell[segments - 1]);
+    if (head_is_free) share(cell[0], cell[1]);
+    return cell;
+}
+
+/// Replaces cells, and what nodes have of the string, by those of the cubics.
+void lump_on_cubics(StringMesh& mesh, const Stretches& stretches, bool head_is_free) {
+    const std::size_t segments = mesh.length.size();
+    CubicLumping lumping(segments, head_is_free);
+    Walk walk(stretches);
+    for (std::size_t k = 0; k < segments; ++k) {
+        const double start = mesh.node_s[k];
+        const double h = mesh.node_s[k + 1] - start;
+        walk.over(start, mesh.node_s[k + 1],
+                  [&](const SectionProperties& part, double begin, double end) {
+                      lumping.add(k, part, (begin - start) / h, (end - start) / h);
+                  });
+    }
+    lumping.lump(mesh.node);
+    mesh.cell = cubic_cells(segments, mesh.length.front(), head_is_free);
+}
+
 }  // namespace
 
-StringMesh mesh_string(const StringCase& string, int segments) {
+StringMesh mesh_string(const StringCase& string, int segments, Lumping lumping) {
     const Stretches stretches = stretches_of(string);
     const double total = stretches.boundary.back();
     const auto arc_length = [&](double position) { return total * (position / segments); };
@@ -168,6 +295,8 @@ StringMesh mesh_string(const StringCase& string, int segments) {
         mesh.segment.push_back(whole.mean_over(arc_length(k), arc_length(k + 1)));
         mesh.segment.back().outer_radius = middles.radius_at(middle);
     }
+    if (lumping != Lumping::cells)
+        lump_on_cubics(mesh, stretches, lumping == Lumping::cubic_free_head);
     return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "model/pose.hpp"
+#include "model/segment_strain.hpp"
 
 namespace drillstrand {
 
@@ -27,28 +28,43 @@ void solve_tridiagonal(std::vector<double> d, const std::vector<double>& e,
         x[k] = (x[k] - e[k] * x[k + 1]) / d[k];
 }
 
-/// Directors of a rod whose nodes are held at given points, the first one at `head`: those that
-/// minimise the energy of bending and shear, sum of EI |t_k+1 - t_k|^2 / h + kGA h |chord - mean of
-/// t_k and t_k+1|^2, linear in the small turns between neighbours.
+/// Energies of a segment (N m): half of `bend` times the square of the difference of its directors,
+/// and twice `deviation` times that of its chord's from their mean.
+struct HeldSegment {
+    double bend;
+    double deviation;
+};
+
+HeldSegment strand_segment(const SectionProperties& section, double h) {
+    return {section.bending_stiffness / h, section.shear_stiffness * h / 4};
+}
+
+HeldSegment beam_segment(const SectionProperties& section, double h) {
+    return {section.bending_stiffness / h, SegmentStiffness(section, h).deviation * h / 4};
+}
+
+using Held = HeldSegment (*)(const SectionProperties&, double);
+
+/// Directors of a rod whose nodes are held at given points, the first one at `head`: those of least
+/// energy, linear in the small turns between neighbours.
 std::vector<Eigen::Vector3d> relaxed_directors(const StringMesh& mesh,
                                                const std::vector<Eigen::Vector3d>& position,
-                                               const Eigen::Vector3d& head) {
+                                               const Eigen::Vector3d& head, Held held) {
     const std::size_t segments = mesh.length.size();
     std::vector<double> diagonal(segments, 0.0);  // unknowns: nodes 1..N
     std::vector<double> off_diagonal(segments - 1, 0.0);
     std::vector<Eigen::Vector3d> director(segments, Eigen::Vector3d::Zero());
     for (std::size_t k = 0; k < segments; ++k) {
-        const double bend = mesh.segment[k].bending_stiffness / mesh.length[k];
-        const double shear = mesh.segment[k].shear_stiffness * mesh.length[k] / 4;
+        const auto [bend, deviation] = held(mesh.segment[k], mesh.length[k]);
         const Eigen::Vector3d chord = (position[k + 1] - position[k]).normalized();
-        diagonal[k] += bend + shear;
-        director[k] += 2 * shear * chord;
+        diagonal[k] += bend + deviation;
+        director[k] += 2 * deviation * chord;
         if (k == 0) {
-            director[0] += (bend - shear) * head;
+            director[0] += (bend - deviation) * head;
         } else {
-            diagonal[k - 1] += bend + shear;
-            off_diagonal[k - 1] = shear - bend;
-            director[k - 1] += 2 * shear * chord;
+            diagonal[k - 1] += bend + deviation;
+            off_diagonal[k - 1] = deviation - bend;
+            director[k - 1] += 2 * deviation * chord;
         }
     }
     solve_tridiagonal(diagonal, off_diagonal, director);
@@ -91,7 +107,7 @@ Pose pose_after(const Pose& pose, double h, const Vector6& u) {
 
 /// Positions and directors of nodes on the axis of the well, `spacing` (m) apart along it.
 InitialNodes nodes_on_axis(const Well& well, const StringMesh& mesh, const Pose& head,
-                           const std::vector<double>& spacing) {
+                           const std::vector<double>& spacing, Held held) {
     InitialNodes nodes;
     nodes.position.reserve(spacing.size() + 1);
     nodes.position.push_back(head.position);
@@ -100,7 +116,7 @@ InitialNodes nodes_on_axis(const Well& well, const StringMesh& mesh, const Pose&
         depth += step;
         nodes.position.push_back(well.at(depth).axis);
     }
-    nodes.director = relaxed_directors(mesh, nodes.position, head.frame.col(0));
+    nodes.director = relaxed_directors(mesh, nodes.position, head.frame.col(0), held);
     nodes.twist.assign(spacing.size(), 0.0);
     return nodes;
 }
@@ -119,28 +135,36 @@ std::vector<Vector6> strains_between(const InitialNodes& nodes, const StringMesh
     return strains;
 }
 
-/// Stretch of the chords, along the mean of the two directors.
-std::vector<double> chord_stretches(const InitialNodes& nodes, const StringMesh& mesh) {
+/// Arc length of a beam-column over that of its chord: S of engine/rod/README.md, "Segment".
+double arc_over_chord(const Eigen::Vector3d& chord, const Eigen::Vector3d& first,
+                      const Eigen::Vector3d& last) {
+    const double bend = 2 * std::asin((last - first).norm() / 2);
+    const double deviation2 = (chord.normalized() - (first + last).normalized()).squaredNorm();
+    return 1 + bend * bend / 24 + deviation2 / 10;
+}
+
+/// Stretch of the beam-columns between nodes.
+std::vector<double> beam_stretches(const InitialNodes& nodes, const StringMesh& mesh) {
     std::vector<double> stretch;
     stretch.reserve(mesh.length.size());
     for (std::size_t k = 0; k < mesh.length.size(); ++k) {
-        const Eigen::Vector3d chord = (nodes.position[k + 1] - nodes.position[k]) / mesh.length[k];
-        stretch.push_back(chord.dot((nodes.director[k] + nodes.director[k + 1]).normalized()));
+        const Eigen::Vector3d chord = nodes.position[k + 1] - nodes.position[k];
+        stretch.push_back(chord.norm() / mesh.length[k] *
+                          arc_over_chord(chord, nodes.director[k], nodes.director[k + 1]));
     }
     return stretch;
 }
 
 /// Adjusts the spacing of nodes along a well until `stretches` are all 1: a string that is neither
-/// stretched nor twisted with its nodes on the axis. Where the well's curvature changes within a
-/// segment, a little shear remains, as in a rod that is held at its nodes.
+/// stretched nor twisted with its nodes on the axis, as a rod that is held there bends.
 template <class Stretches>
 InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const Pose& head,
-                               const Stretches& stretches) {
+                               Held held, const Stretches& stretches) {
     constexpr int rounds = 20;
     constexpr double negligible = 1e-13;
     constexpr double small = 1e-7;
     std::vector<double> spacing = mesh.length;
-    InitialNodes nodes = nodes_on_axis(well, mesh, head, spacing);
+    InitialNodes nodes = nodes_on_axis(well, mesh, head, spacing, held);
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
         const std::vector<double> stretch = stretches(nodes);
@@ -152,19 +176,20 @@ InitialNodes unstretched_nodes(const Well& well, const StringMesh& mesh, const P
         // where segments are short, rounding of positions is all that is left before that
         if (worst < negligible || (worst < small && worst >= least)) break;
         least = worst;
-        nodes = nodes_on_axis(well, mesh, head, spacing);
+        nodes = nodes_on_axis(well, mesh, head, spacing, held);
     }
     return nodes;
 }
 
 std::vector<Vector6> strains_along(const Well& well, const StringMesh& mesh, const Pose& head) {
-    const InitialNodes nodes = unstretched_nodes(well, mesh, head, [&](const InitialNodes& trial) {
-        std::vector<double> stretch;
-        stretch.reserve(mesh.length.size());
-        for (const Vector6& strain : strains_between(trial, mesh, head))
-            stretch.push_back(strain[3]);
-        return stretch;
-    });
+    const InitialNodes nodes =
+        unstretched_nodes(well, mesh, head, strand_segment, [&](const InitialNodes& trial) {
+            std::vector<double> stretch;
+            stretch.reserve(mesh.length.size());
+            for (const Vector6& strain : strains_between(trial, mesh, head))
+                stretch.push_back(strain[3]);
+            return stretch;
+        });
     std::vector<Vector6> strains = strains_between(nodes, mesh, head);
     for (Vector6& strain : strains)
         strain[3] = 1;
@@ -203,18 +228,21 @@ std::vector<Vector6> initial_strains(const Scene& scene, const InitialCase& init
 InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial) {
     const Pose head = {scene.head_frame, scene.head_position};
     if (lies_along_well(scene, initial) && initial.curvature.isZero(0)) {
-        return unstretched_nodes(*scene.well, scene.mesh, head, [&](const InitialNodes& trial) {
-            return chord_stretches(trial, scene.mesh);
-        });
+        return unstretched_nodes(
+            *scene.well, scene.mesh, head, beam_segment,
+            [&](const InitialNodes& trial) { return beam_stretches(trial, scene.mesh); });
     }
-    // directors of the arcs, joined by chords along their means
+    // directors of the arcs, joined along their means by beam-columns as long as the segments
     InitialNodes nodes;
     nodes.position = {head.position};
     for (const Pose& pose : poses_from_strains(head, scene.mesh.length, scene.initial_strain))
         nodes.director.emplace_back(pose.frame.col(0));
     for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
-        const Eigen::Vector3d mean = (nodes.director[k] + nodes.director[k + 1]).normalized();
-        nodes.position.push_back(nodes.position[k] + scene.mesh.length[k] * mean);
+        const Eigen::Vector3d& first = nodes.director[k];
+        const Eigen::Vector3d& last = nodes.director[k + 1];
+        const Eigen::Vector3d mean = (first + last).normalized();
+        const double chord = scene.mesh.length[k] / arc_over_chord(mean, first, last);
+        nodes.position.push_back(nodes.position[k] + chord * mean);
         nodes.twist.push_back(scene.initial_strain[k][0]);
     }
     return nodes;

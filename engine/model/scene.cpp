@@ -10,6 +10,7 @@
 
 #include "drillstrand/error.hpp"
 #include "model/initial_shape.hpp"
+#include "model/segment_strain.hpp"
 
 namespace drillstrand {
 
@@ -37,6 +38,13 @@ double damping_ratio_for(double restitution) {
         (restitution_of(middle) > restitution ? low : high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+/// The leapfrog's rod and that of statics bend as cubics; what holds the head takes its couple.
+Lumping lumping_of(const Case& input) {
+    if (input.run.integrator == IntegratorKind::dormand_prince) return Lumping::cells;
+    return input.head.motion == HeadMotion::free ? Lumping::cubic_free_head
+                                                 : Lumping::cubic_clamped_head;
 }
 
 /// Springs and dashpots of the wall at each node. The bit's node carries those of the wall that the
@@ -97,6 +105,41 @@ std::vector<double> lateral_masses(const Scene& scene) {
     return masses;
 }
 
+std::vector<double> section_inertias(const StringMesh& mesh) {
+    std::vector<double> inertias;
+    for (const SectionProperties& node : mesh.node)
+        inertias.push_back(node.inertia);
+    return inertias;
+}
+
+/// Rotary inertias of nodes (kg m) with those of the segments' mass as rigid pieces.
+std::vector<double> rigid_piece_inertias(const Scene& scene) {
+    const double h = scene.mesh.length.front();
+    std::vector<double> inertias;
+    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k)
+        inertias.push_back(scene.mesh.node[k].inertia + scene.lateral_mass[k] * h * h / 12);
+    return inertias;
+}
+
+/// Rotary inertias of nodes (kg m), at least 3 k EI m/EA: then nodes turn against each other, at
+/// the rate sqrt(12 k EI/J)/h, no faster than axial waves, 2 sqrt(EA/m)/h, and cost no steps.
+std::vector<double> slow_inertias(const StringMesh& mesh) {
+    std::vector<double> inertias = section_inertias(mesh);
+    for (std::size_t k = 0; k < mesh.length.size(); ++k) {
+        const double h = mesh.length[k];
+        const SegmentStiffness stiffness(mesh.segment[k], h);
+        const double gyration2 = stiffness.deviation * h * h / (4 * stiffness.axial);
+        for (const std::size_t node : {k, k + 1})
+            inertias[node] = std::max(inertias[node], gyration2 * mesh.node[node].mass);
+    }
+    return inertias;
+}
+
+std::vector<double> rotary_inertias(const Scene& scene, const Case& input) {
+    if (input.run.integrator == IntegratorKind::leapfrog) return slow_inertias(scene.mesh);
+    return input.mesh.segment_inertia ? rigid_piece_inertias(scene) : section_inertias(scene.mesh);
+}
+
 /// The paper's one number damps rotation as much as translation, though the units differ.
 std::optional<std::string> note_on_braked_spin(const Scene& scene) {
     const DampingPair& damping = scene.damping.external;
@@ -146,7 +189,7 @@ double buoyed_weight(const SectionProperties& section, const std::optional<Fluid
 Scene build_scene(const Case& input) {
     Scene scene;
     scene.segments = input.mesh.segments;
-    scene.mesh = mesh_string(input.string, input.mesh.segments);
+    scene.mesh = mesh_string(input.string, input.mesh.segments, lumping_of(input));
     scene.features = features_of(input, scene.mesh);
     scene.fluid = input.fluid;
     scene.contact = input.contact;
@@ -175,17 +218,16 @@ Scene build_scene(const Case& input) {
 
     scene.lateral_mass = lateral_masses(scene);
     if (scene.well) set_wall(scene);
-    const bool segment_inertia =
-        input.mesh.segment_inertia.value_or(input.run.integrator == IntegratorKind::leapfrog);
-    const double h = scene.mesh.length.front();
-    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
-        const SectionProperties& node = scene.mesh.node[k];
-        scene.inertia.push_back(node.inertia +
-                                (segment_inertia ? scene.lateral_mass[k] * h * h / 12 : 0.0));
+    scene.inertia = rotary_inertias(scene, input);
+    for (const SectionProperties& node : scene.mesh.node)
         scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
-    }
     if (const auto note = note_on_braked_spin(scene)) scene.notes.push_back(*note);
     return scene;
+}
+
+Scene build_static_scene(Case input) {
+    input.run.integrator = IntegratorKind::leapfrog;
+    return build_scene(input);
 }
 
 }  // namespace drillstrand

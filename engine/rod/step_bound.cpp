@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rod/segment_rates.hpp"
+
 namespace drillstrand {
 
 namespace {
@@ -28,14 +30,29 @@ class Tightest {
     StepBound bound_{std::numeric_limits<double>::infinity(), 0, "none"};
 };
 
+/// Product of rate (1/s) and step that Dormand-Prince allows. Damping beyond the critical one
+/// decays with tau omega^2.
+double dormand_prince_product(const DampingCase& damping, double rate) {
+    const double decay = damping.kelvin_voigt * rate;
+    return decay > 1 ? dormand_prince_decay / decay : dormand_prince_oscillation;
+}
+
+/// Product of rate and step that the leapfrog allows for a rate (1/s) and the inertia of a segment
+/// that moves with it (kg, kg m2). Kelvin-Voigt damping and D_in act with the velocities of the
+/// last half step; the latter slows a zigzag at the rate 2 D_in / (inertia of a segment).
+double leapfrog_product(const DampingCase& damping, double rate, double moved) {
+    const double internal = std::max(damping.internal.translation, damping.internal.rotation);
+    const double ratio = 0.5 * damping.kelvin_voigt * rate + internal / (moved * rate);
+    return leapfrog_oscillation * (std::sqrt(1 + ratio * ratio) - ratio);
+}
+
 /// Stiffness over the square of the length, the largest of the segments at a node.
 struct NodeStiffness {
     double axial = 0;
     double shear = 0;
     double bending = 0;
     double torsion = 0;
-    double length = 0;                                          ///< of the longer segment (m)
-    double shortest = std::numeric_limits<double>::infinity();  ///< length of the other (m)
+    double length = 0;  ///< of the longer segment (m)
 };
 
 NodeStiffness node_stiffness(const StringMesh& mesh, std::size_t node) {
@@ -49,26 +66,23 @@ NodeStiffness node_stiffness(const StringMesh& mesh, std::size_t node) {
         stiffness.bending = std::max(stiffness.bending, s.bending_stiffness / h2);
         stiffness.torsion = std::max(stiffness.torsion, s.torsional_stiffness / h2);
         stiffness.length = std::max(stiffness.length, mesh.length[k]);
-        stiffness.shortest = std::min(stiffness.shortest, mesh.length[k]);
     }
     return stiffness;
 }
 
-/// Fastest motions of the rod near a node: those of neighbours against each other, and of cross
-/// sections against the shear of the rod. `product` of rate and step is what the scheme allows for
-/// a rate (1/s) and the inertia of a segment that moves with it (kg, kg m2).
-template <class Product>
-void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const Product& product) {
+/// Fastest motions of the strand near a node: those of neighbours against each other, and of cross
+/// sections against the shear of the rod.
+void offer_strand(Tightest& tightest, const Scene& scene, std::size_t node) {
     const NodeStiffness k = node_stiffness(scene.mesh, node);
     const SectionProperties& section = scene.mesh.node[node];
     const double inertia = scene.inertia[node];
     const double sideways = scene.lateral_mass[node];
-    const auto offer = [&](double rate2, double moved, const char* process) {
+    const auto offer = [&](double rate2, const char* process) {
         const double rate = std::sqrt(rate2);
-        tightest.offer(rate, product(rate, moved * k.shortest), process);
+        tightest.offer(rate, dormand_prince_product(scene.damping, rate), process);
     };
-    offer(4 * k.axial / section.mass, section.mass, "axial waves");
-    offer(4 * k.torsion / section.polar_inertia, section.polar_inertia, "torsional waves");
+    offer(4 * k.axial / section.mass, "axial waves");
+    offer(4 * k.torsion / section.polar_inertia, "torsional waves");
     // Inside a rod the fastest motions are cross sections that turn together, kGA/I, or nodes that
     // zigzag, 4 kGA/(m h^2). At an end, with half a cell, a mode of both is faster. With s their
     // sum, p their product, a long rod's end swings at s - p/s: q^k times the end's, |q| < 1; one
@@ -79,34 +93,14 @@ void offer_rod(Tightest& tightest, const Scene& scene, std::size_t node, const P
     const double zigzag = 4 * k.shear / sideways;
     const double both = turning + zigzag;
     const double swing = both - (1 - 1 / segments) * turning * zigzag / both;
-    offer(at_end ? swing : turning, inertia, "rotation of the cross sections against shear");
-    offer(zigzag + 4 * k.bending / inertia, std::min(sideways, inertia),
-          "zigzags of neighbouring nodes");
+    offer(at_end ? swing : turning, "rotation of the cross sections against shear");
+    offer(zigzag + 4 * k.bending / inertia, "zigzags of neighbouring nodes");
 }
 
-}  // namespace
-
-StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
+StepBound dormand_prince_bound(const Scene& scene) {
     Tightest tightest;
-    const bool leapfrog = integrator == IntegratorKind::leapfrog;
     for (std::size_t node = 0; node < scene.mesh.node.size(); ++node) {
-        if (leapfrog) {
-            // Kelvin-Voigt damping and D_in act with the velocities of the last half step; the
-            // latter slows a zigzag at the rate 2 D_in / (inertia of a segment)
-            const double internal =
-                std::max(scene.damping.internal.translation, scene.damping.internal.rotation);
-            offer_rod(tightest, scene, node, [&](double rate, double moved) {
-                const double ratio =
-                    0.5 * scene.damping.kelvin_voigt * rate + internal / (moved * rate);
-                return leapfrog_oscillation * (std::sqrt(1 + ratio * ratio) - ratio);
-            });
-            continue;
-        }
-        offer_rod(tightest, scene, node, [&](double rate, double /*moved*/) {
-            // damping beyond the critical one decays with tau omega^2
-            const double decay = scene.damping.kelvin_voigt * rate;
-            return decay > 1 ? dormand_prince_decay / decay : dormand_prince_oscillation;
-        });
+        offer_strand(tightest, scene, node);
         if (!scene.features.well) continue;
         const double mass = scene.lateral_mass[node];
         tightest.offer(std::sqrt(scene.normal_stiffness[node] / mass), dormand_prince_oscillation,
@@ -116,6 +110,57 @@ StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
                        leapfrog_oscillation, "friction springs");
     }
     return tightest.bound();
+}
+
+/// The least inertias of the nodes at a segment, of its length (kg, kg m2).
+struct MovedInertia {
+    double along;
+    double about;
+    double across;  ///< of mass and rotary inertia, the lesser
+
+    MovedInertia(const Scene& scene, std::size_t segment) {
+        const double h = scene.mesh.length[segment];
+        const auto least = [&](const auto& of) {
+            return h * std::min(of(segment), of(segment + 1));
+        };
+        along = least([&](std::size_t node) { return scene.mesh.node[node].mass; });
+        about = least([&](std::size_t node) { return scene.mesh.node[node].polar_inertia; });
+        across = least([&](std::size_t node) {
+            return std::min(scene.lateral_mass[node], scene.inertia[node]);
+        });
+    }
+};
+
+StepBound leapfrog_bound(const Scene& scene) {
+    Tightest axial;
+    Tightest torsional;
+    Tightest any;
+    const std::vector<ExpectedLoad> loads = expected_loads(scene);
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+        const SegmentRates rates = segment_rates(scene, k, loads[k]);
+        const MovedInertia moved(scene, k);
+        const auto offer = [&](Tightest& tightest, double rate, double inertia,
+                               const char* process) {
+            tightest.offer(rate, leapfrog_product(scene.damping, rate, inertia), process);
+        };
+        offer(axial, rates.axial, moved.along, "axial waves");
+        offer(torsional, rates.torsional, moved.about, "torsional waves");
+        offer(any, rates.any, moved.across, "bending of neighbouring nodes");
+    }
+    const double step = std::min({axial.bound().step, torsional.bound().step, any.bound().step});
+    // nodes of pipes turn as fast as axial waves but for end effects: the waves give the name
+    constexpr double as_fast = 1.05;
+    for (const Tightest* waves : {&axial, &torsional})
+        if (waves->bound().step < as_fast * step)
+            return {step, waves->bound().rate, waves->bound().process};
+    return any.bound();
+}
+
+}  // namespace
+
+StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
+    return integrator == IntegratorKind::leapfrog ? leapfrog_bound(scene)
+                                                  : dormand_prince_bound(scene);
 }
 
 }  // namespace drillstrand

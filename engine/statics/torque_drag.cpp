@@ -86,7 +86,7 @@ Site site_at(const Case& input, const Scene& scene, double s) {
 TrippedString string_at(const Case& input, double bit_depth) {
     TrippedString result;
     result.input = case_at_depth(input, bit_depth);
-    result.scene = build_scene(result.input);
+    result.scene = build_static_scene(result.input);
     for (const double s : result.scene.mesh.segment_s) {
         result.measured_depth.push_back(result.scene.well->measured_depth_start() + s);
         result.sites.push_back(site_at(result.input, result.scene, s));

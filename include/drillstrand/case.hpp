@@ -80,7 +80,7 @@ double total_length(const StringCase& string);
 
 struct MeshCase {
     int segments = 0;
-    std::optional<bool> segment_inertia;  ///< unset: the integrator's own default
+    bool segment_inertia = false;  ///< dormand-prince: rotary inertia of rigid pieces
 };
 
 enum class HeadMotion { driven, free };

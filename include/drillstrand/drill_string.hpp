@@ -38,15 +38,24 @@ struct SectionProperties {
 /// also sets the polar one, unless that is given too).
 SectionProperties section_properties(const Component& component, double shear_coefficient);
 
-/// The string on a mesh of N segments. Masses and areas of a node are means over its cell (from
-/// the middle of one segment to the middle of the next), so that their sums are exact; compliances
-/// of a segment are means over it, so that uniform stress gives the exact stretch, twist and turn;
-/// its yield loads are those of its weakest part.
+/// How the string is lumped at the nodes of its mesh, which carry mass, weight and contact.
+enum class Lumping {
+    cells,               ///< each node has its cell of the string: of second order, the paper's
+    cubic_clamped_head,  ///< as cubics between the nodes do: of fourth order
+    cubic_free_head      ///< the same where the head is free to move and to turn
+};
+
+/// The string on a mesh of N segments. What nodes have of the string is given per length of their
+/// cells, and its sums are exact. With Lumping::cells they are means from the middle of one segment
+/// to the middle of the next; how cubics lump tells engine/model/README.md. Compliances of a
+/// segment are means over it, so that uniform stress gives the exact stretch, twist and turn; its
+/// yield loads are those of its weakest part.
 struct StringMesh {
     std::vector<double> node_s;     ///< N+1, arc length from the head (m)
     std::vector<double> segment_s;  ///< N, middle of the segment (m)
     std::vector<double> length;     ///< N, of the segment (m)
-    std::vector<double> cell;       ///< N+1, length of the node's cell (m); half at both ends
+    std::vector<double> cell;  ///< N+1, length whose loads the node carries (m): h inside; at an
+                               ///< end h/2, or of cubics 5/12 h where it is free, with 13/12 h next
     std::vector<SectionProperties> segment;  ///< N: stiffnesses and curvature are the ones to use
     std::vector<SectionProperties> node;     ///< N+1: mass, inertias, areas; radius at the node
 };
@@ -54,6 +63,6 @@ struct StringMesh {
 /// The string on a uniform mesh of at least one segment. Outer radii are those of the component at
 /// the node or at the middle of the segment: the larger at a joint, the last component's at the
 /// bit.
-StringMesh mesh_string(const StringCase& string, int segments);
+StringMesh mesh_string(const StringCase& string, int segments, Lumping lumping);
 
 }  // namespace drillstrand

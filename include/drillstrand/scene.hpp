@@ -29,9 +29,8 @@ struct SceneFeatures {
     bool curved = false;  ///< a stress-free shape that is not straight
 };
 
-/// Nodes of a string whose chords are as long as its segments and lie along the mean of the two
-/// directors, neither stretched nor, but for a little in a well, sheared; or those of an
-/// equilibrium.
+/// Nodes of a string whose beam-column segments are not stretched (engine/model/README.md, "Initial
+/// nodes"); or those of an equilibrium.
 struct InitialNodes {
     std::vector<Eigen::Vector3d> position;  ///< N+1 (m)
     std::vector<Eigen::Vector3d> director;  ///< N+1, d3
@@ -44,8 +43,10 @@ struct Scene {
     /// N+1, mass that moves sideways: the pipe, the fluid in it, and the fluid around it as in the
     /// middle of the hole (kg/m)
     std::vector<double> lateral_mass;
-    std::vector<double> inertia;  ///< N+1, rho I, plus (lateral mass) h^2/12 with segment inertia
-    std::vector<double> weight;   ///< N+1, buoyed weight (N/m)
+    /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 3 k EI m/EA,
+    /// for dormand-prince plus (lateral mass) h^2/12 with segment inertia
+    std::vector<double> inertia;
+    std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
     /// with the wall that it touches besides. Empty without a well.
     std::vector<double> normal_stiffness;
@@ -65,7 +66,7 @@ struct Scene {
     Eigen::Matrix3d head_frame = Eigen::Matrix3d::Identity();
     /// N, initial strains (k3, k1, k2, g3, g1, g2); the string starts at rest.
     std::vector<Vector6> initial_strain;
-    /// The same shape as nodes joined by chords, for integrators whose segments are not arcs.
+    /// The same shape as nodes joined by beam-columns, for integrators whose segments are not arcs.
     InitialNodes initial_nodes;
     /// What a reader of the results should know of the scene, a sentence each.
     std::vector<std::string> notes;
@@ -75,6 +76,9 @@ struct Scene {
 /// The string lies in the well's axis or in its own shape: starting_scene() (simulation.hpp) also
 /// finds the equilibrium that a case may ask for.
 Scene build_scene(const Case& input);
+
+/// Builds the scene of a case for statics, whose rod is the leapfrog's whatever integrates runs.
+Scene build_static_scene(Case input);
 
 /// Frame (d3, d1, d2 in the columns) with the given d3: d1 is east made normal to d3, or north
 /// where d3 is within 25 degrees of east or west; d2 = d3 x d1.

@@ -16,8 +16,9 @@ struct StepBound {
     std::string process;  ///< its name
 };
 
-/// The least over the string: each node with the stiffest of its own segments. The leapfrog solves
-/// contact and fluid implicitly, so that only the rod bounds it.
+/// The least over the string: of dormand-prince each node with the stiffest of its own segments, of
+/// the leapfrog each segment under the loads that the scene lets expect. The leapfrog solves contact
+/// and fluid implicitly, so that only the rod bounds it.
 StepBound step_bound(const Scene& scene, IntegratorKind integrator);
 
 }  // namespace drillstrand

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace drillstrand {
 namespace {
@@ -110,15 +113,38 @@ TEST(SectionProperties, NeedNoDiameterWhereEverythingIsGiven) {
     EXPECT_EQ(section.metal_area, 0);
 }
 
+constexpr Lumping every_lumping[] = {Lumping::cells, Lumping::cubic_clamped_head,
+                                     Lumping::cubic_free_head};
+
+/// Mass of each node (kg).
+std::vector<double> node_masses(const StringMesh& mesh) {
+    std::vector<double> mass;
+    for (std::size_t k = 0; k < mesh.node.size(); ++k)
+        mass.push_back(mesh.cell[k] * mesh.node[k].mass);
+    return mass;
+}
+
+/// Light pipe of 1 kg/m, heavy of `ratio` kg/m, by lengths (m), in turns.
+StringCase light_and_heavy(const std::vector<double>& lengths, double ratio) {
+    StringCase string;
+    for (const double length : lengths) {
+        string.components.push_back(steel_pipe(length, 0.127, 0.1086));
+        string.components.back().linear_density = string.components.size() % 2 == 1 ? 1 : ratio;
+    }
+    return string;
+}
+
 TEST(StringMesh, AUniformStringKeepsItsOwnProperties) {
     // Also when it comes as a table of unequal joints of the same pipe.
     StringCase string;
     for (const double length : {9.1, 12.7, 0.3, 100.0, 33.3})
         string.components.push_back(steel_pipe(length, 0.127, 0.1086));
     const SectionProperties pipe = section_properties(string.components[0], 1.0);
-    const StringMesh mesh = mesh_string(string, 37);
-    for (const auto& list : {mesh.node, mesh.segment}) {
-        for (const SectionProperties& section : list) {
+    for (const Lumping lumping : every_lumping) {
+        const StringMesh mesh = mesh_string(string, 37, lumping);
+        std::vector<SectionProperties> sections = mesh.node;
+        sections.insert(sections.end(), mesh.segment.begin(), mesh.segment.end());
+        for (const SectionProperties& section : sections) {
             EXPECT_EQ(section.mass, pipe.mass);
             EXPECT_EQ(section.inertia, pipe.inertia);
             EXPECT_EQ(section.polar_inertia, pipe.polar_inertia);
@@ -136,7 +162,7 @@ TEST(StringMesh, AUniformStringKeepsItsOwnProperties) {
 TEST(StringMesh, IsUniformWithHalfCellsAtBothEnds) {
     StringCase string;
     string.components = {steel_pipe(100, 0.127, 0.1086)};
-    const StringMesh mesh = mesh_string(string, 8);
+    const StringMesh mesh = mesh_string(string, 8, Lumping::cells);
     ASSERT_EQ(mesh.node_s.size(), 9U);
     ASSERT_EQ(mesh.segment_s.size(), 8U);
     EXPECT_EQ(mesh.node_s.front(), 0);
@@ -149,12 +175,85 @@ TEST(StringMesh, IsUniformWithHalfCellsAtBothEnds) {
     EXPECT_DOUBLE_EQ(mesh.cell.back(), 6.25);
 }
 
+TEST(StringMesh, CubicsShareTheLoadOfAFreeEndWithItsNeighbour) {
+    // Gregory's weights 5/12 and 13/12; a clamp takes the couple of the load beside it.
+    const StringCase string = light_and_heavy({96}, 1);
+    const auto expect_cells = [&](int segments, Lumping lumping, std::vector<double> twelfths) {
+        const StringMesh mesh = mesh_string(string, segments, lumping);
+        const double h = 96.0 / segments;
+        ASSERT_EQ(mesh.cell.size(), twelfths.size());
+        for (std::size_t k = 0; k < twelfths.size(); ++k)
+            EXPECT_DOUBLE_EQ(mesh.cell[k], twelfths[k] / 12 * h) << "node " << k;
+    };
+    expect_cells(4, Lumping::cubic_clamped_head, {6, 12, 12, 13, 5});
+    expect_cells(4, Lumping::cubic_free_head, {5, 13, 12, 13, 5});
+    expect_cells(2, Lumping::cubic_free_head, {5, 14, 5});
+    expect_cells(1, Lumping::cubic_clamped_head, {7, 5});
+    expect_cells(1, Lumping::cubic_free_head, {6, 6});
+}
+
+TEST(StringMesh, CubicsMoveTheCoupleOfAJumpBetweenItsNeighbours) {
+    // 8 segments of 1 m, three times the mass from node 4 on: a couple of 2/12 there.
+    const std::vector<double> mass =
+        node_masses(mesh_string(light_and_heavy({4, 4}, 3), 8, Lumping::cubic_clamped_head));
+    const double expected[] = {0.5, 1, 1, 1 - 1.0 / 12, 2, 3 + 1.0 / 12, 3, 3.25, 1.25};
+    for (std::size_t k = 0; k < mass.size(); ++k)
+        EXPECT_NEAR(mass[k], expected[k], 1e-14) << "node " << k;
+}
+
+TEST(StringMesh, CubicsKeepTheCentreOfMassOfFreeStrings) {
+    const StringCase string = light_and_heavy({3.1, 0.4, 7.7, 5.3, 2.5}, 4);
+    double first_moment = 0;
+    double start = 0;
+    for (const Component& part : string.components) {
+        first_moment += part.linear_density * part.length * (start + part.length / 2);
+        start += part.length;
+    }
+    for (const int segments : {1, 2, 3, 7, 40}) {
+        const StringMesh mesh = mesh_string(string, segments, Lumping::cubic_free_head);
+        const std::vector<double> mass = node_masses(mesh);
+        const double sum = std::inner_product(mass.begin(), mass.end(), mesh.node_s.begin(), 0.0);
+        EXPECT_NEAR(sum / first_moment, 1, 1e-13) << segments << " segments";
+    }
+}
+
+TEST(StringMesh, CubicsConvergeToTheWorkOfALoadAtFourthOrder) {
+    // Work of the weight of a string with a joint inside a segment, bent as sin from a free head.
+    const double length = 20;
+    const double joint = length * 0.3;
+    const StringCase string = light_and_heavy({joint, length - joint}, 4);
+    const double rate = 2 * pi / length;
+    const double exact = ((1 - std::cos(rate * joint)) + 4 * (std::cos(rate * joint) - 1)) / rate;
+    const auto error = [&](int segments) {
+        const StringMesh mesh = mesh_string(string, segments, Lumping::cubic_free_head);
+        const std::vector<double> mass = node_masses(mesh);
+        double work = 0;
+        for (std::size_t k = 0; k < mass.size(); ++k)
+            work += mass[k] * std::sin(rate * mesh.node_s[k]);
+        return std::abs(work - exact);
+    };
+    EXPECT_LT(error(32), error(16) / 7) << "third order at least, from end to end";
+    EXPECT_LT(error(64), 1e-4 * std::abs(exact));
+}
+
+TEST(StringMesh, CubicsLeaveEachNodeAQuarterOfItsOwnBesideMuchHeavierPipe) {
+    for (const double ratio : {10.0, 30.0, 1e4}) {
+        const StringCase string = light_and_heavy({4, 4, 2, 4.5, 0.5, 5}, ratio);
+        for (const Lumping lumping : {Lumping::cubic_clamped_head, Lumping::cubic_free_head}) {
+            const std::vector<double> mass = node_masses(mesh_string(string, 20, lumping));
+            EXPECT_GE(*std::min_element(mass.begin(), mass.end()), 5.0 / 12 / 4) << ratio;
+            EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0) / (6.5 + 13.5 * ratio), 1,
+                        1e-14);
+        }
+    }
+}
+
 TEST(StringMesh, TotalsOfRandomStringsAreKept) {
     std::mt19937 random(1);
     std::uniform_int_distribution<int> segments(1, 400);
     for (int n = 0; n < 100; ++n) {
         const StringCase string = random_string(random);
-        const StringMesh mesh = mesh_string(string, segments(random));
+        const StringMesh mesh = mesh_string(string, segments(random), every_lumping[n % 3]);
         const auto expect_kept = [&](auto member) {
             double sum = 0;
             for (std::size_t k = 0; k < mesh.node.size(); ++k)
@@ -181,7 +280,7 @@ TEST(StringMesh, UniformStressStretchesAndTurnsTheMeshAsTheString) {
     std::uniform_int_distribution<int> segments(1, 400);
     for (int n = 0; n < 100; ++n) {
         const StringCase string = random_string(random);
-        const StringMesh mesh = mesh_string(string, segments(random));
+        const StringMesh mesh = mesh_string(string, segments(random), Lumping::cells);
         // Stretch under unit tension, twist under unit torque, turn under unit bending moment.
         for (const auto stiffness :
              {&SectionProperties::axial_stiffness, &SectionProperties::shear_stiffness,
@@ -207,7 +306,7 @@ TEST(StringMesh, UniformStressStretchesAndTurnsTheMeshAsTheString) {
 TEST(StringMesh, HangingStringStretchesUnderABitLoadByTheSumOfItsParts) {
     StringCase string;
     string.components = {steel_pipe(1900, 0.149225, 0.128143), steel_pipe(100, 0.2, 0.07)};
-    const StringMesh mesh = mesh_string(string, 33);
+    const StringMesh mesh = mesh_string(string, 33, Lumping::cells);
     const double load = 1e5;
     double stretch = 0;
     for (std::size_t k = 0; k < mesh.segment.size(); ++k)
@@ -221,7 +320,7 @@ TEST(StringMesh, NodesCarryTheRadiusOfTheirComponent) {
     StringCase string;
     string.components = {steel_pipe(50, 0.10, 0.05), steel_pipe(49.7, 0.20, 0.05),
                          steel_pipe(0.3, 0.15, 0.05)};
-    const StringMesh mesh = mesh_string(string, 10);
+    const StringMesh mesh = mesh_string(string, 10, Lumping::cells);
     EXPECT_EQ(mesh.node[0].outer_radius, 0.05);
     EXPECT_EQ(mesh.node[4].outer_radius, 0.05);
     EXPECT_EQ(mesh.node[5].outer_radius, 0.10);  // a joint: the larger one

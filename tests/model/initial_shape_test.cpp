@@ -9,6 +9,7 @@
 
 #include "drillstrand/scene.hpp"
 #include "model/pose.hpp"
+#include "model/segment_strain.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand {
@@ -17,6 +18,24 @@ namespace {
 std::vector<Pose> initial_poses(const Scene& scene) {
     return poses_from_strains({scene.head_frame, scene.head_position}, scene.mesh.length,
                               scene.initial_strain);
+}
+
+/// The beam-columns between the initial nodes.
+std::vector<BeamColumn> initial_beams(const Scene& scene) {
+    const InitialNodes& nodes = scene.initial_nodes;
+    std::vector<BeamColumn> beams;
+    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
+        const double h = scene.mesh.length[k];
+        const Triple first = triple(nodes.director[k]);
+        const Triple last = triple(nodes.director[k + 1]);
+        const SegmentBend bend(first, last);
+        const SegmentChord chord(triple(nodes.position[k]), triple(nodes.position[k + 1]), 1 / h,
+                                 first, last, bend.inverse_both());
+        const double sine2 = dot(bend.turn, bend.turn);
+        beams.emplace_back(SegmentStiffness(scene.mesh.segment[k], h), chord,
+                           bend.factor() * bend.factor() * sine2);
+    }
+    return beams;
 }
 
 class InitialShapeInWell : public testing::TestWithParam<std::string> {};
@@ -40,6 +59,23 @@ TEST_P(InitialShapeInWell, LiesOnTheAxisWithoutStretchOrTwist) {
         EXPECT_EQ(strain[3], 1.0);
         EXPECT_EQ(strain[0], 0.0);
         EXPECT_LT(strain.tail<2>().norm(), 1e-3);
+    }
+}
+
+TEST_P(InitialShapeInWell, NodesLieAtTheirMeasuredDepthsWithoutStretch) {
+    Case input =
+        read_case(std::filesystem::path(DRILLSTRAND_SOURCE_DIR) / "cases" / (GetParam() + ".toml"));
+    input.mesh.segments = 200;
+    const Scene scene = build_scene(input);
+    for (std::size_t k = 0; k < scene.mesh.node_s.size(); ++k) {
+        const double depth = scene.well->measured_depth_start() + scene.mesh.node_s[k];
+        const WellCrossSection section = scene.well->at(depth);
+        EXPECT_LT((scene.initial_nodes.position[k] - section.axis).norm(), 0.001) << "node " << k;
+        EXPECT_LT((scene.initial_nodes.director[k] - section.direction).norm(), 0.01);
+    }
+    for (const BeamColumn& beam : initial_beams(scene)) {
+        EXPECT_LT(std::abs(beam.strain), 1e-12);
+        EXPECT_LT(beam.angle2, 1e-5);
     }
 }
 
@@ -70,6 +106,18 @@ TEST(InitialShape, IsTheStringsOwnOnRequest) {
     const Scene scene =
         build_scene(test::case_from(std::string(hoop) + "[initial]\nstate = \"stress-free\"\n"));
     EXPECT_NEAR((initial_poses(scene).back().position).norm(), 0, 1e-12) << "a closed circle";
+}
+
+TEST(InitialShape, OfItsOwnLeavesTheBeamColumnsNeitherStretchedNorDeviated) {
+    const Scene scene =
+        build_scene(test::case_from(std::string(hoop) + "[initial]\nstate = \"stress-free\"\n"));
+    for (const BeamColumn& beam : initial_beams(scene)) {
+        EXPECT_NEAR(beam.strain, 0, 1e-14);
+        EXPECT_NEAR(beam.angle2, 0, 1e-14);
+    }
+    // the arc of a beam-column is that of a circle to b^4/823 of its length, b = 2 pi/16
+    const std::vector<Eigen::Vector3d>& position = scene.initial_nodes.position;
+    EXPECT_NEAR((position[8] - position[0]).norm(), 2 / std::numbers::pi, 2e-5);
 }
 
 TEST(InitialShape, TakesAUniformBendAndAShift) {

@@ -33,7 +33,6 @@ Case struck_rod() {
     rod.torsional_stiffness = 100;
     input.string.components = {rod};
     input.mesh.segments = 40;
-    input.mesh.segment_inertia = false;
     const double small = 1e-3;
     input.bit.force = VectorSchedule({0.1, 0.11}, {small * Vector3d(1, 2, 3), Vector3d::Zero()});
     input.bit.moment = VectorSchedule({0.1, 0.11}, {small * Vector3d(1, 2, 3), Vector3d::Zero()});
@@ -51,7 +50,7 @@ double growth(const Case& input, double cfl, std::int64_t steps) {
     const auto integrator = make_integrator(scene, options);
     const auto energy = [&] { return integrator->series().energy.stored(); };
     const double step = cfl * step_bound(scene, IntegratorKind::leapfrog).step;
-    const double hit = std::max(0.5, 100 * step);
+    constexpr double hit = 0.12;  // just after: what turns grows no more once it goes round
     constexpr int records = 20;
     try {
         integrator->advance(hit, 1'000'000);
@@ -78,20 +77,20 @@ struct Governed {
 const Governed governed[] = {
     {"AxialWaves", "axial waves", [](Component& rod) { rod.axial_stiffness = 1e5; }},
     {"TorsionalWaves", "torsional waves", [](Component& rod) { rod.torsional_stiffness = 1e5; }},
-    {"Shear", "zigzags of neighbouring nodes",
+    {"Zigzags", "bending of neighbouring nodes",
      [](Component& rod) {
          rod.shear_stiffness = 1e5;
          rod.inertia = rod.polar_inertia = 100;
          rod.bending_stiffness = 1000;
      }},
-    {"Bending", "zigzags of neighbouring nodes",
+    {"Bending", "bending of neighbouring nodes",
      [](Component& rod) { rod.bending_stiffness = 1e5; }},
-    {"RotationAgainstShear", "rotation of the cross sections against shear",
+    {"TurningAsFastAsAxialWaves", "axial waves",
      [](Component& rod) {
          rod.shear_stiffness = 1e5;
-         rod.inertia = 1e-3;
+         rod.inertia = 1e-5;
          rod.polar_inertia = 1;
-         rod.bending_stiffness = 1;
+         rod.bending_stiffness = 0.3;
      }},
 };
 
@@ -124,7 +123,7 @@ TEST_P(StepBoundOf, CountsKelvinVoigtDamping) {
     for (const double ratio : {0.2, 5.0}) {
         input.damping.kelvin_voigt = ratio / rate;
         EXPECT_LT(growth(input, 0.9, 20'000), 1.5) << ratio;
-        EXPECT_GT(growth(input, 1.1, 2'000), 1e6) << ratio;
+        EXPECT_GT(growth(input, 1.15, 2'000), 1e6) << ratio;
     }
 }
 
@@ -150,7 +149,6 @@ Case random_rod(std::mt19937& random) {
         input.string.components.push_back(part);
     }
     input.mesh.segments = std::uniform_int_distribution(1, 40)(random);
-    input.mesh.segment_inertia = std::bernoulli_distribution()(random);
     if (std::bernoulli_distribution()(random)) input.head.motion = HeadMotion::free;
     return input;
 }

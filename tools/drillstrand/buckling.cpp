@@ -115,7 +115,7 @@ void write_result(const Case& input, const Scene& scene, const BucklingOptions& 
 int buckling(const BucklingOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     require_output("-o", options.output, {options.overwrite, inputs_of(input)});
-    const Scene scene = build_scene(input);
+    const Scene scene = build_static_scene(input);
     StraightRod rod;
     std::vector<BucklingMode> modes;
     try {

@@ -195,7 +195,7 @@ void print_contact(const Scene& scene) {
                                       contact.normal_damping));
     if (scene.bit.contact_length > 0) {
         line("wall at the bit",
-             fmt::format("{:.4g} m more than the half cell of its node", scene.bit.contact_length));
+             fmt::format("{:.4g} m more than the cell of its node", scene.bit.contact_length));
     }
     line("friction",
          fmt::format("law {}, static {:.3g} axial {:.3g} azimuthal, dynamic {:.3g} and {:.3g}",
@@ -249,17 +249,22 @@ void print_loads(const Scene& scene) {
                                      scene.damping.kelvin_voigt));
 }
 
-void print_mesh(const Scene& scene) {
+std::string rotary_inertia(const Case& input) {
+    if (input.run.integrator == IntegratorKind::leapfrog)
+        return "of the sections, at least what costs no steps";
+    return input.mesh.segment_inertia ? "of the sections and of the segments as rigid pieces"
+                                      : "of the sections alone";
+}
+
+void print_mesh(const Case& input, const Scene& scene) {
     const auto [least, most] =
         std::minmax_element(scene.mesh.length.begin(), scene.mesh.length.end());
     const bool uniform = *most - *least <= 1e-9 * *most;
-    const bool segment_inertia = scene.inertia.front() > scene.mesh.node.front().inertia;
     fmt::print("Mesh\n");
     line("segments", uniform
                          ? fmt::format("{} of {:.5g} m", scene.segments, *most)
                          : fmt::format("{} of {:.5g} to {:.5g} m", scene.segments, *least, *most));
-    line("rotary inertia", segment_inertia ? "of the sections and of the segments as rigid pieces"
-                                           : "of the sections alone");
+    line("rotary inertia", rotary_inertia(input));
 }
 
 void print_cost(const Case& input, const Scene& scene) {
@@ -394,7 +399,7 @@ int check(const CheckOptions& options) {
     print_fluid(scene);
     print_contact(scene);
     print_loads(scene);
-    print_mesh(scene);
+    print_mesh(input, scene);
     print_cost(input, scene);
     warn_of_notes(scene);
     warn_of_coarse_mesh(scene);

@@ -141,7 +141,7 @@ int equilibrium(const EquilibriumCommand& command) {
         throw InputError({input.path.string()},
                          "head.motion = \"free\": nothing holds the string; an equilibrium needs a "
                          "held head, motion = \"driven\"");
-    const Scene scene = build_scene(input);
+    const Scene scene = build_static_scene(input);
     const EquilibriumOptions options = equilibrium_options(input);
 
     const auto start = std::chrono::steady_clock::now();

@@ -1,0 +1,71 @@
+/// What a scene makes of a case for each integrator.
+#include "drillstrand/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/run_case.hpp"
+
+namespace drillstrand {
+namespace {
+
+Case pipe_of_8_segments(const std::string& integrator) {
+    return test::case_from(R"(
+[[string.component]]
+length = 24
+outer_diameter = 0.1397
+inner_diameter = 0.1155
+density = 7850
+youngs_modulus = "200 GPa"
+[mesh]
+segments = 8
+[run]
+duration = 1
+integrator = ")" + integrator +
+                           "\"\n");
+}
+
+TEST(Scene, LumpsTheStringAsItsIntegratorBendsIt) {
+    Case input = pipe_of_8_segments("leapfrog");
+    EXPECT_DOUBLE_EQ(build_scene(input).mesh.cell.front(), 1.5);
+    EXPECT_DOUBLE_EQ(build_scene(input).mesh.cell.back(), 1.25);
+    input.head.motion = HeadMotion::free;
+    EXPECT_DOUBLE_EQ(build_scene(input).mesh.cell.front(), 1.25);
+    input.run.integrator = IntegratorKind::dormand_prince;
+    EXPECT_DOUBLE_EQ(build_scene(input).mesh.cell.front(), 1.5);
+    EXPECT_DOUBLE_EQ(build_static_scene(input).mesh.cell.front(), 1.25);
+}
+
+TEST(RotaryInertia, OfThePapersMethodIsThatOfTheSectionsOrOfRigidPieces) {
+    Case input = pipe_of_8_segments("dormand-prince");
+    Scene scene = build_scene(input);
+    const SectionProperties& pipe = scene.mesh.node[4];
+    EXPECT_EQ(scene.inertia[4], pipe.inertia);
+    input.mesh.segment_inertia = true;
+    EXPECT_DOUBLE_EQ(build_scene(input).inertia[4], pipe.inertia + pipe.mass * 9 / 12);
+}
+
+TEST(RotaryInertia, OfTheLeapfrogTurnsNodesAsFastAsAxialWaves) {
+    Case input = pipe_of_8_segments("leapfrog");
+    const Scene scene = build_scene(input);
+    const SectionProperties& pipe = scene.mesh.segment[4];
+    const double h2 = 9;
+    const double k = 1 / (1 + 12 * pipe.bending_stiffness / (pipe.shear_stiffness * h2));
+    const double axial = 4 * pipe.axial_stiffness / (pipe.mass * h2);
+    const double turning = 12 * k * pipe.bending_stiffness / (scene.inertia[4] * h2);
+    EXPECT_NEAR(turning / axial, 1, 1e-12);
+    EXPECT_NEAR(scene.inertia[4] / (3 * k * pipe.inertia), 1, 1e-12);
+    input.mesh.segment_inertia = true;
+    EXPECT_EQ(build_scene(input).inertia[4], scene.inertia[4]) << "has no effect";
+}
+
+TEST(RotaryInertia, OfTheLeapfrogIsThatOfTheSectionsOnFineMeshes) {
+    Case input = pipe_of_8_segments("leapfrog");
+    input.mesh.segments = 200;  // 0.12 m, less than four radii of gyration
+    const Scene scene = build_scene(input);
+    EXPECT_EQ(scene.inertia[4], scene.mesh.node[4].inertia);
+}
+
+}  // namespace
+}  // namespace drillstrand
