@@ -314,8 +314,8 @@ const std::vector<RecordDataset<BucklingMode>>& buckling_datasets() {
                            "above weight"),
         values<M, &M::strain>(
             "/buckling/mode_strain", Rows::segments, "1/m, 1/m, 1/m, 1, 1, 1",
-            "change of strain in body axes: twist, bending 1, bending 2, stretch, "
-            "shear 1, shear 2; the largest deflection is 1 m"),
+            "change of strain in the middles of segments, in body axes: twist, bending 1, "
+            "bending 2, stretch, shear 1, shear 2; the largest deflection is 1 m"),
     };
     return table;
 }

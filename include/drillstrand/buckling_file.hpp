@@ -15,7 +15,7 @@ namespace drillstrand {
 /// threads of the header are not stored.
 struct BucklingResult {
     ResultHeader header;
-    TipWeight tip_weight = TipWeight::half;
+    Discretisation discretisation = Discretisation::beam_column;
     std::vector<BucklingMode> modes;
     std::string version;  ///< of the drillstrand that wrote the file; set by reading
     std::string commit;

@@ -84,10 +84,10 @@ TEST(Transfer, ARunWithoutAWellOrRecordsComesThrough) {
 TEST(Transfer, EveryBucklingModeComesThrough) {
     BucklingResult sent;
     sent.header = MadeUpRun(4).header();
-    sent.tip_weight = TipWeight::full;
+    sent.discretisation = Discretisation::paper;
     sent.modes = {{5, {4, Vector6::LinSpaced(1, 6)}}, {7, {4, Vector6::LinSpaced(7, 12)}}};
     const BucklingResult got = through_a_pipe(sent);
-    EXPECT_EQ(got.tip_weight, TipWeight::full);
+    EXPECT_EQ(got.discretisation, Discretisation::paper);
     ASSERT_EQ(got.modes.size(), 2U);
     for (std::size_t k = 0; k < 2; ++k)
         expect_same_bits(got.modes[k], sent.modes[k], buckling_datasets());
