@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* group_name = "/buckling";
+constexpr const char* instability_name = "/buckling/instability";
 
 /// All modes of one dataset, in the order of the file.
 template <class Mode>
@@ -22,7 +23,7 @@ std::vector<double> values_of(const std::vector<Mode>& modes, const RecordDatase
     return values;
 }
 
-/// One mode to a compressed chunk; loads, one number each, as they are.
+/// One mode to a compressed chunk; loads and eigenvalues, one number each, as they are.
 template <class Mode>
 H5::DSetCreatPropList storage_of(const RecordDataset<Mode>& entry, hsize_t segments) {
     H5::DSetCreatPropList properties;
@@ -46,6 +47,14 @@ void write_modes(H5::H5File& file, const std::vector<RecordDataset<Mode>>& layou
     }
 }
 
+/// A stable string has no shapes, and the group no datasets.
+void write_instability(H5::H5File& file, hsize_t segments, const Instability& instability) {
+    H5::Group group = file.createGroup(instability_name);
+    hdf5::write_attribute(group, "load", instability.load);
+    if (!instability.modes.empty())
+        write_modes(file, instability_datasets(), segments, instability.modes);
+}
+
 void write_file(const fs::path& path, const BucklingResult& result) {
     H5::H5File file(path, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, hdf5::file_access());
     H5::Group root = file.openGroup("/");
@@ -57,6 +66,7 @@ void write_file(const fs::path& path, const BucklingResult& result) {
     file.createGroup(std::string(group_name) + "/mesh");
     hdf5::write_mesh(file, group_name, result.header);
     write_modes(file, buckling_datasets(), segments, result.modes);
+    if (result.instability) write_instability(file, segments, *result.instability);
     hdf5::write_attribute(root, "status", std::string("complete"));
     root.close();
     file.close();
@@ -67,6 +77,9 @@ std::size_t array_bytes(const BucklingResult& result) {
     std::size_t values = result.header.node_s.size() + result.header.segment_s.size();
     for (const auto& entry : buckling_datasets())
         values += values_of(result.modes, entry).size();
+    if (result.instability)
+        for (const auto& entry : instability_datasets())
+            values += values_of(result.instability->modes, entry).size();
     return values * sizeof(double);
 }
 
@@ -75,6 +88,15 @@ Discretisation read_discretisation(const H5::Group& root) {
     hdf5::read_attribute(root, "discretisation", name);
     return name == discretisation_name(Discretisation::paper) ? Discretisation::paper
                                                               : Discretisation::beam_column;
+}
+
+std::optional<Instability> read_instability(hdf5::UntrustedFile& file, std::size_t segments) {
+    if (!hdf5::holds(file, instability_name)) return std::nullopt;
+    Instability instability;
+    hdf5::read_attribute(file.hdf5().openGroup(instability_name), "load", instability.load);
+    if (hdf5::holds(file, instability_datasets().front().path))
+        instability.modes = hdf5::read_records(file, instability_datasets(), segments);
+    return instability;
 }
 
 }  // namespace
@@ -100,6 +122,7 @@ BucklingResult read_buckling(const fs::path& path) {
         hdf5::read_mesh(file, group_name, result.header);
         const std::size_t segments = result.header.segment_s.size();
         result.modes = hdf5::read_records(file, buckling_datasets(), segments);
+        result.instability = read_instability(file, segments);
         return result;
     });
 }

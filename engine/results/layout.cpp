@@ -320,4 +320,16 @@ const std::vector<RecordDataset<BucklingMode>>& buckling_datasets() {
     return table;
 }
 
+const std::vector<RecordDataset<UnstableMode>>& instability_datasets() {
+    using M = UnstableMode;
+    static const std::vector<RecordDataset<M>> table = {
+        value<M, &M::eigenvalue>("/buckling/instability/eigenvalue", "N m2",
+                                 "negative eigenvalue of the Hessian: twice the energy of the "
+                                 "shape over the integral of its squared curvature"),
+        values<M, &M::strain>("/buckling/instability/strain", Rows::segments,
+                              "1/m, 1/m, 1/m, 1, 1, 1", "strain of the shape, as mode_strain"),
+    };
+    return table;
+}
+
 }  // namespace drillstrand

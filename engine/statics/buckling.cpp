@@ -40,11 +40,11 @@ double bending_share(double bending, double shear, double length) {
 }
 
 /// The segment of constant strain, whose rotation is linear in arc length.
-PlaneSegment constant_strain(const LoadedSegment& segment) {
+PlaneSegment constant_strain(const LoadedSegment& segment, double eigenvalue) {
     const auto& [h, stiffness, shear, tension, stretch] = segment;
     const double slope = stretch - tension / shear;  // of the chord, over m
     PlaneSegment plane;
-    plane.bending = stiffness / h + h * tension * stretch / 12;
+    plane.bending = (stiffness - eigenvalue) / h + h * tension * stretch / 12;
     plane.turning = h * tension * slope;
     plane.advance = h * slope;
     plane.middle_curvature = 1 / h;
@@ -66,17 +66,19 @@ struct MiddleShares {
     }
 };
 
-/// The exact beam-column (engine/model/segment_strain.hpp) to second order.
-PlaneSegment beam_column(const LoadedSegment& segment) {
+/// The exact beam-column (engine/model/segment_strain.hpp) to second order. Its squared curvature
+/// is that of the cubic between the nodes.
+PlaneSegment beam_column(const LoadedSegment& segment, double eigenvalue) {
     const auto& [h, stiffness, shear, tension, stretch] = segment;
     const StabilityFunctions stability(tension * h * h / stiffness);
     const double share = bending_share(stiffness, shear, h);
     const double along = h * tension * stretch;  // of the chord's turn squared
-    const double bend = (1 + stability.symmetric) * stiffness / h;
-    const double lean = 12 * share * stability.antisymmetric * stiffness / h;
+    const double bend = ((1 + stability.symmetric) * stiffness - eigenvalue) / h;
+    const double lean = 12 * share * (stability.antisymmetric * stiffness - share * eigenvalue) / h;
     const double deviation = along / 5 + lean;  // of the square of the chord's turn off m
     const double slope = deviation / (along + deviation);
-    const MiddleShares middle(tension * (stretch - tension / shear) * h * h / (4 * stiffness));
+    const MiddleShares middle(tension * (stretch - tension / shear) * h * h /
+                              (4 * (stiffness - eigenvalue)));
     PlaneSegment plane;
     plane.bending = along / 12 + bend;
     plane.turning = along * slope;
@@ -152,8 +154,22 @@ double bisect(double low, double high, Condition&& holds) {
 
 /// The load at which eigenvalue number `index` of the Hessian passes through zero.
 double critical_load(const StraightRod& rod, std::size_t index, LoadRange range) {
-    return bisect(range.low, range.high, [&](double load) {
-        return BendingPlane(rod, load).negative_eigenvalues() > index;
+    return bisect(range.low, range.high,
+                  [&](double load) { return BendingPlane(rod, load).eigenvalues_below() > index; });
+}
+
+/// A value below all eigenvalues under a load (N m2).
+double eigenvalue_bound(const StraightRod& rod, double load) {
+    double bound = -*std::max_element(rod.bending_stiffness.begin(), rod.bending_stiffness.end());
+    while (BendingPlane(rod, load, bound).eigenvalues_below() > 0)
+        bound *= 2;
+    return bound;
+}
+
+/// Negative eigenvalue number `index`, counted from the lowest, whose bound is given.
+double eigenvalue(const StraightRod& rod, double load, std::size_t index, double bound) {
+    return bisect(bound, 0, [&](double value) {
+        return BendingPlane(rod, load, value).eigenvalues_below() > index;
     });
 }
 
@@ -220,15 +236,15 @@ std::vector<Vector6> about_d2(const PlaneStrain& plane) {
 
 }  // namespace
 
-BendingPlane::BendingPlane(const StraightRod& rod, double load) {
+BendingPlane::BendingPlane(const StraightRod& rod, double load, double eigenvalue) {
     const auto plane_segment =
         rod.discretisation == Discretisation::paper ? constant_strain : beam_column;
     segments_.reserve(rod.length.size());
     for (std::size_t i = 0; i < rod.length.size(); ++i)
-        segments_.push_back(plane_segment(LoadedSegment(rod, i, load)));
+        segments_.push_back(plane_segment(LoadedSegment(rod, i, load), eigenvalue));
 }
 
-std::size_t BendingPlane::negative_eigenvalues() const {
+std::size_t BendingPlane::eigenvalues_below() const {
     std::size_t negative = 0;
     double below = 0;  // rotational stiffness of all below the segment, at its lower node (N m)
     for (auto segment = segments_.rbegin(); segment != segments_.rend(); ++segment) {
@@ -289,7 +305,7 @@ double highest_buckling_load(const StraightRod& rod) {
 }
 
 std::size_t count_buckling_modes(const StraightRod& rod) {
-    return 2 * BendingPlane(rod, load_range(rod).high).negative_eigenvalues();
+    return 2 * BendingPlane(rod, load_range(rod).high).eigenvalues_below();
 }
 
 std::vector<BucklingMode> buckling_modes(const StraightRod& rod, std::size_t count) {
@@ -304,6 +320,21 @@ std::vector<BucklingMode> buckling_modes(const StraightRod& rod, std::size_t cou
         if (modes.size() < count) modes.push_back({load, about_d2(strain)});
     }
     return modes;
+}
+
+Instability find_instability(const StraightRod& rod, double load) {
+    if (!(load < highest_buckling_load(rod)))
+        throw std::invalid_argument("the rod's mesh cannot tell its modes under such a load");
+    Instability instability{load, {}};
+    const std::size_t pairs = BendingPlane(rod, load).eigenvalues_below();
+    const double bound = eigenvalue_bound(rod, load);
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        const double value = eigenvalue(rod, load, pair, bound);
+        const PlaneStrain strain = free_shape(BendingPlane(rod, load, value));
+        instability.modes.push_back({value, about_d1(strain)});
+        instability.modes.push_back({value, about_d2(strain)});
+    }
+    return instability;
 }
 
 }  // namespace drillstrand

@@ -19,18 +19,19 @@ struct PlaneSegment {
     double middle_shear = 0;      ///< shear in the middle over m
 };
 
-/// The Hessian of the rod under a load.
+/// The Hessian of the rod under a load, less a multiple of the integral of the squared curvature:
+/// singular where the multiple is an eigenvalue.
 class BendingPlane {
   public:
-    /// Load in N.
-    BendingPlane(const StraightRod& rod, double load);
+    /// Load in N; eigenvalue in N m2, at most 0.
+    BendingPlane(const StraightRod& rod, double load, double eigenvalue = 0);
 
     /// N, head to tip.
     [[nodiscard]] const std::vector<PlaneSegment>& segments() const { return segments_; }
 
-    /// Number of negative eigenvalues: by Sylvester's law that of negative pivots of the
+    /// Number of eigenvalues below the given one: by Sylvester's law that of negative pivots of the
     /// factorisation in the bends b of segments, from the tip to the head.
-    [[nodiscard]] std::size_t negative_eigenvalues() const;
+    [[nodiscard]] std::size_t eigenvalues_below() const;
 
     /// In the rotations of nodes 1..N (N m).
     [[nodiscard]] SymmetricTridiagonal stiffness() const;

@@ -1,5 +1,6 @@
 /// Buckling of the straight string: critical loads and modes of the discrete rod, clamped at the
-/// head, under its weight and a dead axial load at the tip. Theory: engine/statics/README.md.
+/// head, under its weight and a dead axial load at the tip, and the ways out of the straight shape
+/// under a given load. Theory: engine/statics/README.md.
 #pragma once
 
 #include <cstddef>
@@ -58,5 +59,24 @@ std::size_t count_buckling_modes(const StraightRod& rod);
 /// Modes come in pairs of one load: the first bends about d1 (k1, with shear g2), the second about
 /// d2 (k2, with shear g1).
 std::vector<BucklingMode> buckling_modes(const StraightRod& rod, std::size_t count);
+
+/// A shape in which the straight rod gives way under a load above critical.
+struct UnstableMode {
+    /// Negative eigenvalue of the Hessian: the energy of the shape is half of it times the integral
+    /// of the squared curvature (N m2). The bending stiffness, where there is neither load nor
+    /// weight.
+    double eigenvalue = 0;
+    std::vector<Vector6> strain;  ///< as BucklingMode has it
+};
+
+/// The unstable shapes of a rod under a load.
+struct Instability {
+    double load = 0;                  ///< dead, compressive, at the tip, above weight (N)
+    std::vector<UnstableMode> modes;  ///< in pairs as BucklingMode, by ascending eigenvalue
+};
+
+/// As many shapes as there are modes of lower load. Throws std::invalid_argument where the load is
+/// none below highest_buckling_load().
+Instability find_instability(const StraightRod& rod, double load);
 
 }  // namespace drillstrand

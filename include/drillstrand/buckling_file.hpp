@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct BucklingResult {
     ResultHeader header;
     Discretisation discretisation = Discretisation::beam_column;
     std::vector<BucklingMode> modes;
+    std::optional<Instability> instability;  ///< where one was asked for
     std::string version;  ///< of the drillstrand that wrote the file; set by reading
     std::string commit;
 };

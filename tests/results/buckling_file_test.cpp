@@ -28,8 +28,10 @@ BucklingResult made_up_modes(std::size_t segments, std::size_t count) {
             segment = Vector6::NullaryExpr(next);
         return strains;
     };
+    result.instability.emplace(Instability{next(), {}});
     for (std::size_t k = 0; k < count; ++k) {
         result.modes.push_back({next(), strain()});
+        result.instability->modes.push_back({next(), strain()});
     }
     return result;
 }
@@ -50,6 +52,31 @@ TEST(BucklingFile, EveryModeComesBackBitForBit) {
     ASSERT_EQ(read.modes.size(), written.modes.size());
     for (std::size_t k = 0; k < written.modes.size(); ++k)
         expect_same_bits(written.modes[k], read.modes[k], buckling_datasets());
+    ASSERT_TRUE(read.instability);
+    EXPECT_EQ(read.instability->load, written.instability->load);
+    ASSERT_EQ(read.instability->modes.size(), written.instability->modes.size());
+    for (std::size_t k = 0; k < written.instability->modes.size(); ++k)
+        expect_same_bits(written.instability->modes[k], read.instability->modes[k],
+                         instability_datasets());
+}
+
+TEST(BucklingFile, AStableStringHasALoadAndNoShapes) {
+    const ScratchFolder folder;
+    BucklingResult written = made_up_modes(3, 2);
+    written.instability->modes.clear();
+    write_buckling(folder / "modes.h5", written);
+    const BucklingResult read = read_buckling(folder / "modes.h5");
+    ASSERT_TRUE(read.instability);
+    EXPECT_EQ(read.instability->load, written.instability->load);
+    EXPECT_TRUE(read.instability->modes.empty());
+}
+
+TEST(BucklingFile, WithoutALoadThereIsNoGroupForIt) {
+    const ScratchFolder folder;
+    BucklingResult written = made_up_modes(3, 2);
+    written.instability.reset();
+    write_buckling(folder / "modes.h5", written);
+    EXPECT_FALSE(read_buckling(folder / "modes.h5").instability);
 }
 
 TEST(BucklingFile, ReplacesAnOlderOneAndLeavesNothingElse) {
@@ -88,6 +115,7 @@ TEST(BucklingFile, TheReadmeListsEveryDataset) {
         }
     };
     expect_listed(buckling_datasets(), "M");
+    expect_listed(instability_datasets(), "U");
 }
 
 }  // namespace

@@ -566,10 +566,157 @@ TEST_P(RandomRod, NoInstabilityOfBeamColumnsIsMissed) {
     }
 }
 
+/// Eigenvalues, ascending, of the energy in the bending of segments, all other strains being free,
+/// against the integral of the squared curvature.
+Eigen::VectorXd bending_eigenvalues(const StraightRod& rod, const Eigen::MatrixXd& hessian) {
+    std::vector<Eigen::Index> bending;
+    std::vector<Eigen::Index> others;
+    for (Eigen::Index row = 0; row < hessian.rows(); ++row)
+        (row % 6 == 1 || row % 6 == 2 ? bending : others).push_back(row);
+    const Eigen::MatrixXd mixed = hessian(others, bending);
+    const Eigen::MatrixXd condensed =
+        hessian(bending, bending) - mixed.transpose() * hessian(others, others).llt().solve(mixed);
+    Eigen::VectorXd flexibility(std::ssize(bending));  // curvature squared from h k squared
+    for (Eigen::Index k = 0; k < flexibility.size(); ++k)
+        flexibility[k] = 1 / rod.length[static_cast<std::size_t>(k / 2)];
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+               condensed, flexibility.asDiagonal().toDenseMatrix())
+        .eigenvalues();
+}
+
+TEST_P(RandomRod, EigenvaluesOfThePaperAreThoseOfItsHessian) {
+    std::mt19937 random(GetParam());
+    const StraightRod rod = as_the_paper(random_rod(5, random));
+    const double load = 1.1 * buckling_modes(rod, 5).back().load;
+    const Eigen::VectorXd exact = bending_eigenvalues(rod, EnergyOfRod(rod, 2.0, load).hessian());
+    const Instability instability = find_instability(rod, load);
+    EXPECT_EQ(instability.load, load);
+    ASSERT_EQ(instability.modes.size(), 6U);
+    for (std::size_t k = 0; k < instability.modes.size(); ++k)
+        EXPECT_NEAR(instability.modes[k].eigenvalue, exact[static_cast<Eigen::Index>(k)],
+                    1e-8 * std::abs(exact[0]));
+    EXPECT_GT(exact[6], 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRod, testing::Values(1U, 2U, 3U, 4U));
 
 TEST(Buckling, ASlenderRodHasTwoModesASegment) {
     EXPECT_EQ(count_buckling_modes(uniform_rod(7, 100, 1e6, 1e6, 1)), 14U);
+}
+
+TEST(Buckling, EigenvaluesOfTheWeightlessColumnConvergeAtFourthOrder) {
+    // Rotation sin(q s), q^2 = F_n/EI: the energy EI q^2 cos^2 - F sin^2 over q^2 cos^2.
+    const double load = 100;
+    const Instability coarse = find_instability(inextensible(rod_of(column(40))), load);
+    const Instability fine = find_instability(inextensible(rod_of(column(80))), load);
+    ASSERT_EQ(coarse.modes.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double exact = column_stiffness * (1 - load / euler_load(k / 2));
+        EXPECT_NEAR(fine.modes[k].eigenvalue, exact, 1e-5 * std::abs(exact));
+    }
+    const double exact = column_stiffness * (1 - load / euler_load(1));
+    expect_fourth_order(coarse.modes[2].eigenvalue, fine.modes[2].eigenvalue, exact);
+}
+
+std::vector<double> bending_of(const std::vector<Vector6>& strain) {
+    std::vector<double> bending;
+    for (const Vector6& segment : strain)
+        bending.push_back(segment[1]);
+    return bending;
+}
+
+/// Of values that stand out. Where tension is strong for the mesh, the segment of the paper bends
+/// to and fro by next to nothing.
+std::size_t sign_changes(const std::vector<double>& values) {
+    double most = 0;
+    for (const double value : values)
+        most = std::max(most, std::abs(value));
+    std::size_t changes = 0;
+    double last = 0;
+    for (const double value : values) {
+        if (std::abs(value) < 1e-6 * most) continue;
+        if (value * last < 0) ++changes;
+        last = value;
+    }
+    return changes;
+}
+
+TEST(Buckling, EigenvaluesOfTheHeavyColumnAreThoseOfItsAiryFunctions) {
+    // The critical load goes with the cube root of the stiffness, in which EI less the eigenvalue
+    // takes the place of EI: it is EI (F/F_n)^3.
+    const double load = 30e3;
+    const StraightRod rod = rod_of(column(560, "gravity = 9.81\n"));
+    const std::vector<BucklingMode> modes = buckling_modes(rod, 6);
+    const Instability instability = find_instability(rod, load);
+    ASSERT_EQ(instability.modes.size(), 6U);
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(column_stiffness - instability.modes[k].eigenvalue,
+                    column_stiffness * std::pow(load / modes[k].load, 3),
+                    1e-4 * std::abs(instability.modes[k].eigenvalue));
+}
+
+class HeavyRod : public testing::TestWithParam<Discretisation> {
+  public:
+    static StraightRod rod(int segments) {
+        return straight_rod(scene_of(column(segments, "gravity = 9.81\n")), GetParam());
+    }
+};
+
+TEST_P(HeavyRod, AsManyShapesAreUnstableAsModesHaveALowerLoad) {
+    const StraightRod heavy = rod(50);
+    const std::vector<BucklingMode> modes = buckling_modes(heavy, 8);
+    for (std::size_t pair = 0; pair < 4; ++pair) {
+        const double load = modes[2 * pair].load;
+        EXPECT_EQ(find_instability(heavy, load * (1 - 1e-9)).modes.size(), 2 * pair);
+        const Instability above = find_instability(heavy, load * (1 + 1e-9));
+        ASSERT_EQ(above.modes.size(), 2 * pair + 2);
+        EXPECT_GT(above.modes.back().eigenvalue, -1e-6 * column_stiffness);
+        EXPECT_LT(above.modes.back().eigenvalue, 0);
+    }
+}
+
+TEST_P(HeavyRod, AtItsCriticalLoadAModeIsTheUnstableShape) {
+    const StraightRod heavy = rod(50);
+    const BucklingMode mode = buckling_modes(heavy, 1).front();
+    const Instability above = find_instability(heavy, mode.load * (1 + 1e-9));
+    for (std::size_t i = 0; i < mode.strain.size(); ++i)
+        EXPECT_NEAR(above.modes[0].strain[i][1], mode.strain[i][1], 1e-8);
+}
+
+TEST_P(HeavyRod, BendsNearItsCompressedPartAndEachShapeOnceMoreToAndFro) {
+    // Figure 12 of the paper. Rotations are Airy functions of s/m from the neutral point, F/w above
+    // the tip, as at a critical load, with EI less the eigenvalue in m: at most F/w. Bending dies
+    // out within three m.
+    const double load = 35e3;
+    const double bent = 1000 - 4 * load / (column_density * 9.81);
+    const Instability instability = find_instability(rod(50), load);
+    ASSERT_GE(instability.modes.size(), 4U);
+    for (std::size_t k = 0; k < instability.modes.size(); k += 2) {
+        const std::vector<double> bending = bending_of(instability.modes[k].strain);
+        EXPECT_EQ(sign_changes(bending), k / 2);
+        double above = 0;
+        double below = 0;
+        for (std::size_t i = 0; i < bending.size(); ++i)
+            (20 * (static_cast<double>(i) + 0.5) < bent ? above : below) += bending[i] * bending[i];
+        EXPECT_LT(above, 1e-3 * below);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, HeavyRod,
+                         testing::Values(Discretisation::beam_column, Discretisation::paper),
+                         [](const auto& of) {
+                             return of.param == Discretisation::paper ? "Paper" : "BeamColumn";
+                         });
+
+TEST(Buckling, ALoadThatTheMeshCannotFollowIsRefused) {
+    // Half a wave in each of 20 segments of 50 m.
+    const StraightRod rod = rod_of(column(20));
+    const double highest = column_stiffness * pi * pi / 2500;
+    EXPECT_NEAR(highest_buckling_load(rod), highest, 1e-4 * highest);
+    EXPECT_EQ(find_instability(rod, 0.999 * highest).modes.size(), 40U);
+    EXPECT_THROW(find_instability(rod, 1.001 * highest), std::invalid_argument);
+    EXPECT_THROW(find_instability(rod, std::nan("")), std::invalid_argument);
+    EXPECT_TRUE(find_instability(rod, -1e9).modes.empty());
 }
 
 TEST(Buckling, AStockyRodHasNoModesThatWouldHalveItsLength) {

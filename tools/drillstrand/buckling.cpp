@@ -15,6 +15,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
 #include "drillstrand/scene.hpp"
+#include "drillstrand/units.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 
@@ -42,6 +43,26 @@ std::vector<BucklingMode> modes_of(const StraightRod& rod, std::optional<std::si
         throw std::invalid_argument(
             "the string's segments are too long to tell a mode of buckling; take more of them");
     return buckling_modes(rod, asked.value_or(std::min(usual, available)));
+}
+
+/// None where --at-load is not given.
+std::optional<double> load_of(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    try {
+        return parse_quantity(text, dimension::force);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(fmt::format("--at-load {}: {}", text, error.what()));
+    }
+}
+
+Instability instability_of(const StraightRod& rod, double load) {
+    const double highest = highest_buckling_load(rod);
+    if (load >= highest)
+        throw UsageError(fmt::format(
+            "--at-load: {:.6g} N is more than {} segments can follow; ask for less than {:.6g} N, "
+            "or for more segments",
+            load, rod.length.size(), highest));
+    return find_instability(rod, load);
 }
 
 /// Bending stiffness of a weightless rod that is the same all along, for which Euler's loads hold.
@@ -89,6 +110,16 @@ void print_modes(const std::vector<BucklingMode>& modes, const StraightRod& rod,
     }
 }
 
+void print_instability(const Instability& instability) {
+    fmt::print("\n  under {:.10g} N: {} unstable shapes\n", instability.load,
+               instability.modes.size());
+    if (instability.modes.empty()) return;
+    fmt::print("  {:>5}  {:<11}  {:>18}\n", "shape", "bends about", "eigenvalue (N m2)");
+    for (std::size_t k = 0; k < instability.modes.size(); ++k)
+        fmt::print("  {:>5}  {:<11}  {:>18.10g}\n", k + 1, k % 2 == 0 ? "d1" : "d2",
+                   instability.modes[k].eigenvalue);
+}
+
 void print_notes(const Scene& scene) {
     const double tilt = std::abs(scene.down.dot(scene.head_frame.col(0)));
     const bool has_weight = std::any_of(scene.weight.begin(), scene.weight.end(),
@@ -118,6 +149,7 @@ void write_result(const Case& input, const Scene& scene, const BucklingOptions& 
 }  // namespace
 
 int buckling(const BucklingOptions& options) {
+    const std::optional<double> load = load_of(options.at_load);
     const Case input = read_case(options.case_path, options.overrides);
     require_output("-o", options.output, {options.overwrite, inputs_of(input)});
     const Scene scene = build_scene(input);
@@ -126,12 +158,14 @@ int buckling(const BucklingOptions& options) {
     try {
         rod = rod_of(input, scene, options.discretisation);
         result.modes = modes_of(rod, options.modes);
+        if (load) result.instability = instability_of(rod, *load);
     } catch (const std::invalid_argument& error) {
         throw InputError({input.path.string()}, error.what());
     }
     if (!options.output.empty()) write_result(input, scene, options, result);
     print_rod(input, scene, rod);
     print_modes(result.modes, rod, scene.mesh.node_s.back());
+    if (result.instability) print_instability(*result.instability);
     print_notes(scene);
     return done;
 }

@@ -48,6 +48,7 @@ struct BucklingOptions {
     std::filesystem::path case_path;
     std::filesystem::path output;      ///< empty: no file
     std::optional<std::size_t> modes;  ///< none: six, or all where there are fewer
+    std::string at_load;               ///< with its unit; empty: none
     Discretisation discretisation = Discretisation::beam_column;
     Overrides overrides;
     bool overwrite = false;

@@ -136,10 +136,16 @@ class CommandLine {
                          "where there are fewer")
             ->check(CLI::Range(1, 1000000))
             ->type_name("M");
+        buckling_
+            ->add_option("--at-load", at_load_,
+                         "Also find the unstable shapes under this load at the tip, as in "
+                         "\"10 kN\"; default: none")
+            ->type_name("FORCE");
         buckling_->add_flag("--paper", paper_,
                             "The paper's discretisation: segments of constant strain, a whole "
                             "segment's weight at the tip");
-        buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
+        buckling_
+            ->add_option("-o,--output", output_, "File for loads, modes and shapes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
         add_overwrite(*buckling_);
@@ -253,6 +259,7 @@ class CommandLine {
         options.case_path = case_path_;
         options.output = output_;
         if (modes_ > 0) options.modes = static_cast<std::size_t>(modes_);
+        options.at_load = at_load_;
         if (paper_) options.discretisation = Discretisation::paper;
         options.overrides = parse_overrides(overrides_);
         options.overwrite = overwrite_;
@@ -304,6 +311,7 @@ class CommandLine {
     int threads_ = -1;
     std::string isa_;
     int modes_ = 0;
+    std::string at_load_;
     bool paper_ = false;
     std::vector<std::string> overrides_;
     bool quiet_ = false;

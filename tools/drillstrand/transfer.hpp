@@ -251,6 +251,17 @@ void transfer(Pipe& pipe, BucklingMode& mode) {
     transfer_record(pipe, mode, buckling_datasets());
 }
 
+template <class Pipe>
+void transfer(Pipe& pipe, UnstableMode& mode) {
+    transfer_record(pipe, mode, instability_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, Instability& instability) {
+    auto& [load, modes] = instability;
+    transfer_all(pipe, load, modes);
+}
+
 /// Values of a motion by the tables of their datasets.
 inline void transfer_table(Sender& pipe, TorqueDragCurve& curve,
                            const std::vector<TorqueDragDataset>& table) {
@@ -289,8 +300,8 @@ void transfer(Pipe& pipe, Result& result) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, BucklingResult& result) {
-    auto& [header, discretisation, modes, version, commit] = result;
-    transfer_all(pipe, header, discretisation, modes, version, commit);
+    auto& [header, discretisation, modes, instability, version, commit] = result;
+    transfer_all(pipe, header, discretisation, modes, instability, version, commit);
 }
 
 template <class Pipe>
