@@ -314,8 +314,20 @@ const std::vector<RecordDataset<BucklingMode>>& buckling_datasets() {
                            "above weight"),
         values<M, &M::strain>(
             "/buckling/mode_strain", Rows::segments, "1/m, 1/m, 1/m, 1, 1, 1",
-            "change of strain in body axes: twist, bending 1, bending 2, stretch, "
-            "shear 1, shear 2; the largest deflection is 1 m"),
+            "change of strain in the middles of segments, in body axes: twist, bending 1, "
+            "bending 2, stretch, shear 1, shear 2; the largest deflection is 1 m"),
+    };
+    return table;
+}
+
+const std::vector<RecordDataset<UnstableMode>>& instability_datasets() {
+    using M = UnstableMode;
+    static const std::vector<RecordDataset<M>> table = {
+        value<M, &M::eigenvalue>("/buckling/instability/eigenvalue", "N m2",
+                                 "negative eigenvalue of the Hessian: twice the energy of the "
+                                 "shape over the integral of its squared curvature"),
+        values<M, &M::strain>("/buckling/instability/strain", Rows::segments,
+                              "1/m, 1/m, 1/m, 1, 1, 1", "strain of the shape, as mode_strain"),
     };
     return table;
 }

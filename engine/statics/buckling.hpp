@@ -2,46 +2,42 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "drillstrand/buckling.hpp"
 #include "statics/tridiagonal.hpp"
 
 namespace drillstrand {
 
+/// A segment in the rotations of its two ends, by their difference b and their mean m. Its
+/// deflection is condensed, as nothing pulls on nodes across the rod.
+struct PlaneSegment {
+    double bending = 0;           ///< coefficient of b^2 in twice the energy (N m)
+    double turning = 0;           ///< coefficient of m^2 (N m)
+    double advance = 0;           ///< deflection from end to end over m (m)
+    double middle_curvature = 0;  ///< curvature in the middle over b (1/m)
+    double middle_shear = 0;      ///< shear in the middle over m
+};
+
+/// The Hessian of the rod under a load, less a multiple of the integral of the squared curvature:
+/// singular where the multiple is an eigenvalue.
 class BendingPlane {
   public:
-    /// The rod must outlive the plane.
-    explicit BendingPlane(const StraightRod& rod) : rod_(rod) {}
+    /// Load in N; eigenvalue in N m2, at most 0.
+    BendingPlane(const StraightRod& rod, double load, double eigenvalue = 0);
 
-    [[nodiscard]] std::size_t segments() const { return rod_.length.size(); }
+    /// N, head to tip.
+    [[nodiscard]] const std::vector<PlaneSegment>& segments() const { return segments_; }
 
-    /// Axial force of a segment, tension positive (N).
-    [[nodiscard]] double tension(std::size_t segment, double load) const {
-        return rod_.weight_below[segment] - load;
-    }
+    /// Number of eigenvalues below the given one: by Sylvester's law that of negative pivots of the
+    /// factorisation in the bends b of segments, from the tip to the head.
+    [[nodiscard]] std::size_t eigenvalues_below() const;
 
-    /// Length of a segment under its axial force, divided by its unstressed length.
-    [[nodiscard]] double stretch(std::size_t segment, double load) const {
-        return 1 + tension(segment, load) / rod_.axial_stiffness[segment];
-    }
-
-    /// Number of negative eigenvalues of the Hessian under a load: by Sylvester's law that of
-    /// negative pivots of its factorisation in the bending strains, from the tip to the head.
-    [[nodiscard]] std::size_t negative_eigenvalues(double load) const;
-
-    /// The Hessian in the rotations of nodes 1..N, shear condensed (N m).
-    [[nodiscard]] SymmetricTridiagonal stiffness(double load) const;
+    /// In the rotations of nodes 1..N (N m).
+    [[nodiscard]] SymmetricTridiagonal stiffness() const;
 
   private:
-    /// Coefficients of the mean square of a segment's rotation, and of the square of its middle's
-    /// rotation, in twice its energy per length (N).
-    struct AxialTerms {
-        double mean_square = 0;
-        double middle_square = 0;
-    };
-    [[nodiscard]] AxialTerms axial_terms(std::size_t segment, double load) const;
-
-    const StraightRod& rod_;
+    std::vector<PlaneSegment> segments_;
 };
 
 }  // namespace drillstrand

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace drillstrand {
 /// threads of the header are not stored.
 struct BucklingResult {
     ResultHeader header;
-    TipWeight tip_weight = TipWeight::half;
+    Discretisation discretisation = Discretisation::beam_column;
     std::vector<BucklingMode> modes;
+    std::optional<Instability> instability;  ///< where one was asked for
     std::string version;  ///< of the drillstrand that wrote the file; set by reading
     std::string commit;
 };

@@ -58,5 +58,7 @@ const std::vector<RecordDataset<Profile>>& profile_datasets();
 
 /// One entry per mode, in a file of buckling modes.
 const std::vector<RecordDataset<BucklingMode>>& buckling_datasets();
+/// One entry per unstable shape, where the file has any.
+const std::vector<RecordDataset<UnstableMode>>& instability_datasets();
 
 }  // namespace drillstrand

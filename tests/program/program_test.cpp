@@ -2,6 +2,7 @@
 #include "program/program.hpp"
 
 #include <csignal>
+#include <optional>
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/isa.hpp"
@@ -145,24 +146,51 @@ TEST_F(Program, BucklingPrintsLoadsInPairsAndWritesAFileOnlyWhenAsked) {
     Ending ending = run(command);
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_EQ(ending.err, "");
-    // The pipe of 24 m: pi^2 EI/(4 L^2) = 42.7 kN, at 8 segments 0.3 % more.
+    // The pipe of 24 m: pi^2 EI/(4 L^2) = 8.534 kN, less by its stretch and shear.
     EXPECT_THAT(ending.out, AllOf(HasSubstr("A pipe hangs and swings"), HasSubstr("over Euler's"),
-                                  HasSubstr("1.0032"), HasSubstr("d1"), HasSubstr("d2")));
+                                  HasSubstr("0.99998"), HasSubstr("d1"), HasSubstr("d2")));
     EXPECT_THAT(files(), ElementsAre("pipe.toml"));
 
     std::vector<std::string> with_file = command;
-    with_file.insert(with_file.end(), {"-o", "modes.h5", "--modes", "3", "--tip-weight", "full"});
+    with_file.insert(with_file.end(), {"-o", "modes.h5", "--modes", "3", "--paper"});
     ending = run(with_file);
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(files(), ElementsAre("modes.h5", "pipe.toml"));
     const BucklingResult result = read_buckling(desk() / "modes.h5");
     EXPECT_EQ(result.header.title, "A pipe hangs and swings");
     EXPECT_EQ(result.header.node_s.size(), 9U);
-    EXPECT_EQ(result.tip_weight, TipWeight::full);
+    EXPECT_EQ(result.discretisation, Discretisation::paper);
+    EXPECT_FALSE(result.instability);
     ASSERT_EQ(result.modes.size(), 3U);
     EXPECT_EQ(result.modes[0].load, result.modes[1].load);
     EXPECT_GT(result.modes[2].load, 8 * result.modes[1].load);
-    EXPECT_THAT(run({"info", "modes.h5"}).out, HasSubstr("/buckling/mode_strain"));
+    EXPECT_THAT(run({"info", "modes.h5"}).out,
+                AllOf(HasSubstr("/buckling/mode_strain"), HasSubstr("paper")));
+}
+
+TEST_F(Program, BucklingAtALoadFindsTheUnstableShapesOfThePairsBelowIt) {
+    const auto at = [&](const std::string& load) {
+        return run({"buckling", "pipe.toml", "--set", "gravity=0", "--at-load", load, "-o",
+                    "modes.h5", "--overwrite"});
+    };
+    Ending ending = at("10 kN");
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, HasSubstr("under 10000 N: 2 unstable shapes"));
+    std::optional<Instability> found = read_buckling(desk() / "modes.h5").instability;
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->load, 10e3);
+    ASSERT_EQ(found->modes.size(), 2U);
+    EXPECT_LT(found->modes[0].eigenvalue, 0);
+    EXPECT_THAT(run({"info", "modes.h5"}).out,
+                AllOf(HasSubstr("10000 N"), HasSubstr("/buckling/instability/eigenvalue")));
+
+    ending = at("8 kN");
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, HasSubstr("under 8000 N: 0 unstable shapes"));
+    found = read_buckling(desk() / "modes.h5").instability;
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->modes.empty());
+    EXPECT_THAT(run({"info", "modes.h5"}).out, HasSubstr("0 unstable shapes"));
 }
 
 TEST_F(Program, BucklingSaysWhatItLeavesOut) {
@@ -176,7 +204,9 @@ TEST_F(Program, BucklingThatCannotBeIsRefusedInOneLine) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
         {{"--modes", "17"}, "at most 16"},
         {{"--modes", "0"}, "--modes"},
-        {{"--tip-weight", "double"}, "half"},
+        {{"--at-load", "10"}, "--at-load 10: "},
+        {{"--at-load", "10 m"}, "--at-load 10 m: "},
+        {{"--at-load", "1 GN"}, "more segments"},
         {{"-o", "-"}, "-o -: "},
         {{"-o", "pipe.toml"}, "that is the case file"},
         {{"-o", "."}, "Is a directory"},

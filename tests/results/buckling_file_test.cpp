@@ -19,13 +19,19 @@ namespace fs = std::filesystem;
 BucklingResult made_up_modes(std::size_t segments, std::size_t count) {
     BucklingResult result;
     result.header = MadeUpRun(segments).header();
-    result.tip_weight = TipWeight::full;
+    result.discretisation = Discretisation::paper;
     double value = 0.1;
+    const auto next = [&] { return value *= -1.01; };
+    const auto strain = [&] {
+        std::vector<Vector6> strains(segments);
+        for (Vector6& segment : strains)
+            segment = Vector6::NullaryExpr(next);
+        return strains;
+    };
+    result.instability.emplace(Instability{next(), {}});
     for (std::size_t k = 0; k < count; ++k) {
-        BucklingMode mode{value *= -1.01, {}};
-        for (std::size_t i = 0; i < segments; ++i)
-            mode.strain.push_back(Vector6::NullaryExpr([&] { return value *= -1.01; }));
-        result.modes.push_back(mode);
+        result.modes.push_back({next(), strain()});
+        result.instability->modes.push_back({next(), strain()});
     }
     return result;
 }
@@ -40,12 +46,37 @@ TEST(BucklingFile, EveryModeComesBackBitForBit) {
     EXPECT_EQ(read.header.case_text, written.header.case_text);
     EXPECT_EQ(read.header.node_s, written.header.node_s);
     EXPECT_EQ(read.header.segment_s, written.header.segment_s);
-    EXPECT_EQ(read.tip_weight, TipWeight::full);
+    EXPECT_EQ(read.discretisation, Discretisation::paper);
     EXPECT_EQ(read.version, version());
     EXPECT_EQ(read.commit, commit());
     ASSERT_EQ(read.modes.size(), written.modes.size());
     for (std::size_t k = 0; k < written.modes.size(); ++k)
         expect_same_bits(written.modes[k], read.modes[k], buckling_datasets());
+    ASSERT_TRUE(read.instability);
+    EXPECT_EQ(read.instability->load, written.instability->load);
+    ASSERT_EQ(read.instability->modes.size(), written.instability->modes.size());
+    for (std::size_t k = 0; k < written.instability->modes.size(); ++k)
+        expect_same_bits(written.instability->modes[k], read.instability->modes[k],
+                         instability_datasets());
+}
+
+TEST(BucklingFile, AStableStringHasALoadAndNoShapes) {
+    const ScratchFolder folder;
+    BucklingResult written = made_up_modes(3, 2);
+    written.instability->modes.clear();
+    write_buckling(folder / "modes.h5", written);
+    const BucklingResult read = read_buckling(folder / "modes.h5");
+    ASSERT_TRUE(read.instability);
+    EXPECT_EQ(read.instability->load, written.instability->load);
+    EXPECT_TRUE(read.instability->modes.empty());
+}
+
+TEST(BucklingFile, WithoutALoadThereIsNoGroupForIt) {
+    const ScratchFolder folder;
+    BucklingResult written = made_up_modes(3, 2);
+    written.instability.reset();
+    write_buckling(folder / "modes.h5", written);
+    EXPECT_FALSE(read_buckling(folder / "modes.h5").instability);
 }
 
 TEST(BucklingFile, ReplacesAnOlderOneAndLeavesNothingElse) {
@@ -75,12 +106,16 @@ TEST(BucklingFile, ARunIsNotTakenForModes) {
 TEST(BucklingFile, TheReadmeListsEveryDataset) {
     std::ostringstream readme;
     readme << std::ifstream(DRILLSTRAND_SOURCE_DIR "/engine/results/README.md").rdbuf();
-    for (const auto& entry : buckling_datasets()) {
-        const std::string shape = entry.rows == Rows::one ? "M" : "M x N x 6";
-        EXPECT_THAT(readme.str(),
-                    testing::HasSubstr("| `" + entry.path + "` | " + shape + " | " + entry.units +
-                                       " | " + entry.description + " |"));
-    }
+    const auto expect_listed = [&](const auto& layout, const std::string& count) {
+        for (const auto& entry : layout) {
+            const std::string shape = entry.rows == Rows::one ? count : count + " x N x 6";
+            EXPECT_THAT(readme.str(),
+                        testing::HasSubstr("| `" + entry.path + "` | " + shape + " | " +
+                                           entry.units + " | " + entry.description + " |"));
+        }
+    };
+    expect_listed(buckling_datasets(), "M");
+    expect_listed(instability_datasets(), "U");
 }
 
 }  // namespace

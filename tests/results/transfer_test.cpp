@@ -84,13 +84,18 @@ TEST(Transfer, ARunWithoutAWellOrRecordsComesThrough) {
 TEST(Transfer, EveryBucklingModeComesThrough) {
     BucklingResult sent;
     sent.header = MadeUpRun(4).header();
-    sent.tip_weight = TipWeight::full;
+    sent.discretisation = Discretisation::paper;
     sent.modes = {{5, {4, Vector6::LinSpaced(1, 6)}}, {7, {4, Vector6::LinSpaced(7, 12)}}};
+    sent.instability = Instability{9, {{-8, {4, Vector6::LinSpaced(13, 18)}}}};
     const BucklingResult got = through_a_pipe(sent);
-    EXPECT_EQ(got.tip_weight, TipWeight::full);
+    EXPECT_EQ(got.discretisation, Discretisation::paper);
     ASSERT_EQ(got.modes.size(), 2U);
     for (std::size_t k = 0; k < 2; ++k)
         expect_same_bits(got.modes[k], sent.modes[k], buckling_datasets());
+    ASSERT_TRUE(got.instability);
+    EXPECT_EQ(got.instability->load, 9);
+    ASSERT_EQ(got.instability->modes.size(), 1U);
+    expect_same_bits(got.instability->modes[0], sent.instability->modes[0], instability_datasets());
 }
 
 TEST(Transfer, EveryMotionOfTorqueAndDragComesThrough) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,9 +46,10 @@ int check(const CheckOptions& options);
 
 struct BucklingOptions {
     std::filesystem::path case_path;
-    std::filesystem::path output;  ///< empty: no file
-    std::size_t modes = 6;
-    TipWeight tip_weight = TipWeight::half;
+    std::filesystem::path output;      ///< empty: no file
+    std::optional<std::size_t> modes;  ///< none: six, or all where there are fewer
+    std::string at_load;               ///< with its unit; empty: none
+    Discretisation discretisation = Discretisation::beam_column;
     Overrides overrides;
     bool overwrite = false;
 };

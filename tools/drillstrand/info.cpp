@@ -118,17 +118,30 @@ void print_contents(const Result& result) {
     print_profiles(result.header.segment_s.size());
 }
 
+template <class Record>
+void print_datasets(const std::vector<RecordDataset<Record>>& layout) {
+    for (const auto& entry : layout)
+        fmt::print("  {:<24} {} ({})\n", entry.path, entry.description, entry.units);
+}
+
+void print_instability(const Instability& instability) {
+    fmt::print("  under {:.10g} N  {} unstable shapes\n", instability.load,
+               instability.modes.size());
+    for (std::size_t k = 0; k < instability.modes.size(); ++k)
+        fmt::print("  shape {:<10} {:.10g} N m2\n", k + 1, instability.modes[k].eigenvalue);
+    if (!instability.modes.empty()) print_datasets(instability_datasets());
+}
+
 void print_contents(const BucklingResult& result) {
     fmt::print("  holds            buckling modes of the straight string\n");
     print_maker(result.version, result.commit);
     fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
                result.header.node_s.empty() ? 0.0 : result.header.node_s.back());
-    fmt::print("  tip weight       {} segment\n",
-               result.tip_weight == TipWeight::half ? "half a" : "a whole");
+    fmt::print("  discretisation   {}\n", discretisation_name(result.discretisation));
     for (std::size_t k = 0; k < result.modes.size(); ++k)
         fmt::print("  mode {:<11} {:.10g} N\n", k + 1, result.modes[k].load);
-    for (const auto& entry : buckling_datasets())
-        fmt::print("  {:<24} {} ({})\n", entry.path, entry.description, entry.units);
+    print_datasets(buckling_datasets());
+    if (result.instability) print_instability(*result.instability);
 }
 
 void print_contents(const TorqueDragResult& result) {

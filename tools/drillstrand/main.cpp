@@ -130,17 +130,22 @@ class CommandLine {
         buckling_ = app_.add_subcommand(
             "buckling", "Print the critical loads of the straight string, clamped at the head");
         buckling_->add_option("CASE.toml", case_path_, "The case with the string")->required();
-        buckling_->add_option("--modes", modes_, "Number of modes, which come in pairs of one load")
+        buckling_
+            ->add_option("--modes", modes_,
+                         "Number of modes, which come in pairs of one load; default: six, or all "
+                         "where there are fewer")
             ->check(CLI::Range(1, 1000000))
-            ->capture_default_str()
             ->type_name("M");
         buckling_
-            ->add_option("--tip-weight", tip_weight_,
-                         "Weight of the tip node: of half a segment, or of a full one")
-            ->check(CLI::IsMember({"half", "full"}))
-            ->capture_default_str()
-            ->type_name("half|full");
-        buckling_->add_option("-o,--output", output_, "File for loads and modes; default: none")
+            ->add_option("--at-load", at_load_,
+                         "Also find the unstable shapes under this load at the tip, as in "
+                         "\"10 kN\"; default: none")
+            ->type_name("FORCE");
+        buckling_->add_flag("--paper", paper_,
+                            "The paper's discretisation: segments of constant strain, a whole "
+                            "segment's weight at the tip");
+        buckling_
+            ->add_option("-o,--output", output_, "File for loads, modes and shapes; default: none")
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
         add_overwrite(*buckling_);
@@ -253,8 +258,9 @@ class CommandLine {
         BucklingOptions options;
         options.case_path = case_path_;
         options.output = output_;
-        options.modes = static_cast<std::size_t>(modes_);
-        options.tip_weight = tip_weight_ == "full" ? TipWeight::full : TipWeight::half;
+        if (modes_ > 0) options.modes = static_cast<std::size_t>(modes_);
+        options.at_load = at_load_;
+        if (paper_) options.discretisation = Discretisation::paper;
         options.overrides = parse_overrides(overrides_);
         options.overwrite = overwrite_;
         return buckling(options);
@@ -304,8 +310,9 @@ class CommandLine {
     std::string restart_;
     int threads_ = -1;
     std::string isa_;
-    int modes_ = 6;
-    std::string tip_weight_ = "half";
+    int modes_ = 0;
+    std::string at_load_;
+    bool paper_ = false;
     std::vector<std::string> overrides_;
     bool quiet_ = false;
     bool follow_ = false;

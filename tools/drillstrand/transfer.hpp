@@ -175,13 +175,18 @@ void transfer(Pipe& pipe, WellSectionCase& section) {
 }
 
 template <class Pipe>
-void transfer(Pipe& pipe, std::optional<WellCase>& well) {
-    bool present = well.has_value();
+void transfer(Pipe& pipe, WellCase& well) {
+    auto& [survey, sections] = well;
+    transfer_all(pipe, survey, sections);
+}
+
+template <class Pipe, class Value>
+void transfer(Pipe& pipe, std::optional<Value>& value) {
+    bool present = value.has_value();
     pipe.value(present);
     if (!present) return;
-    if (!well) well.emplace();
-    auto& [survey, sections] = *well;
-    transfer_all(pipe, survey, sections);
+    if (!value) value.emplace();
+    transfer(pipe, *value);
 }
 
 template <class Pipe>
@@ -246,6 +251,17 @@ void transfer(Pipe& pipe, BucklingMode& mode) {
     transfer_record(pipe, mode, buckling_datasets());
 }
 
+template <class Pipe>
+void transfer(Pipe& pipe, UnstableMode& mode) {
+    transfer_record(pipe, mode, instability_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, Instability& instability) {
+    auto& [load, modes] = instability;
+    transfer_all(pipe, load, modes);
+}
+
 /// Values of a motion by the tables of their datasets.
 inline void transfer_table(Sender& pipe, TorqueDragCurve& curve,
                            const std::vector<TorqueDragDataset>& table) {
@@ -284,8 +300,8 @@ void transfer(Pipe& pipe, Result& result) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, BucklingResult& result) {
-    auto& [header, tip_weight, modes, version, commit] = result;
-    transfer_all(pipe, header, tip_weight, modes, version, commit);
+    auto& [header, discretisation, modes, instability, version, commit] = result;
+    transfer_all(pipe, header, discretisation, modes, instability, version, commit);
 }
 
 template <class Pipe>

@@ -87,10 +87,13 @@ def run_compressed(file):
 
 def buckling(file):
     add_origin(file)
-    file.attrs["tip_weight"] = "half"
+    file.attrs["discretisation"] = "paper"
     add_mesh(file.create_group("buckling"))
     file["buckling/critical_load"] = numbers(2)
     file["buckling/mode_strain"] = numbers(2, SEGMENTS, 6)
+    file.create_group("buckling/instability").attrs["load"] = 0.5
+    file["buckling/instability/eigenvalue"] = numbers(2)
+    file["buckling/instability/strain"] = numbers(2, SEGMENTS, 6)
 
 
 def torque_drag(file):

@@ -48,6 +48,9 @@ void look_at(const Result& result) {
 void look_at(const BucklingResult& result) {
     for (const BucklingMode& mode : result.modes)
         if (mode.strain.size() != result.header.segment_s.size()) std::abort();
+    if (!result.instability) return;
+    for (const UnstableMode& mode : result.instability->modes)
+        if (mode.strain.size() != result.header.segment_s.size()) std::abort();
 }
 
 void look_at(const TorqueDragResult& result) {
