@@ -120,8 +120,12 @@ Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     const Number phi2 = off.squaredNorm();  // 2 (1 - e.m)
     const Number b2 = angle2(ta, tb);
 
-    const Number strain = c * (1.0 + b2 / 24.0 + phi2 / 10.0) - 1.0;
-    const Number z = strain * (ea * h * h / ei);
+    // the load at which the arc carries its strain: z + g z/(30 + z)
+    const double slenderness = ea * h * h / ei;
+    const Number free = slenderness * (c * (1.0 + b2 / 24.0 + phi2 / 10.0) - 1.0);
+    const Number bow = slenderness * (b2 / 24.0 + 3 * share * phi2 / 70.0);
+    const Number excess = free - 30.0 - bow;
+    const Number z = (excess + sqrt(excess * excess + 120.0 * free)) / 2.0;
     const Number x = cotangent_ratio(z / 4.0);
     const Number symmetric = x - z / 12.0;
     // Y = y / (3 (X - 1)); where y is nothing, 1
@@ -151,9 +155,11 @@ Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     const Number twist =
         Number(rod.twist[k] - own[0], by_rotation) + share / h * e.dot(ta.cross(tb));
 
-    return h * (ea / 2 * strain * strain + ei / 2 * elastic_bend.squaredNorm() +
-                ei / (h * h) * ((symmetric - 1.0) * b2 / 2.0 + 6 * share * antisymmetric * phi2) +
-                section.torsional_stiffness / 2 * twist * twist);
+    return h *
+           (ei / (h * h) *
+                ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
+                 6 * share * antisymmetric * phi2) +
+            ei / 2 * elastic_bend.squaredNorm() + section.torsional_stiffness / 2 * twist * twist);
 }
 
 /// Adds a segment's elastic forces to its end nodes.
