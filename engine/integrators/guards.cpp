@@ -34,16 +34,10 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
     const ConstTriples t_b = rod.triples(DirectorRow::director, first + 1);
     const ConstTriples d1_a = rod.triples(DirectorRow::material, first);
     const ConstTriples d1_b = rod.triples(DirectorRow::material, first + 1);
-    const double* twist = segments.row(SegmentRow::twist) + first;
+    const double* torque = segments.row(SegmentRow::torque) + first;
+    const StiffnessRows stiffnesses(c, first);
     const double* inverse_length = c.row(Constants::inverse_length) + first;
-    const double* torsion = c.row(Constants::torsion) + first;
-    const double* bending = c.row(Constants::bending) + first;
-    const double* axial = c.row(Constants::axial) + first;
-    const double* deviation = c.row(Constants::deviation) + first;
-    const double* bending_share = c.row(Constants::bending_share) + first;
-    const double* slenderness = c.row(Constants::slenderness) + first;
     const double* length = c.row(Constants::length) + first;
-    const double* twist0 = c.row(Constants::twist0) + first;
     const double* bend10 = c.row(Constants::bend10) + first;
     const double* bend20 = c.row(Constants::bend20) + first;
     const double* axial_yield = limits.row(Guards::axial_yield) + first;
@@ -58,24 +52,21 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
         const SegmentBend arc(ta, tb);
         const SegmentChord chord(x_a[k], x_b[k], ih, ta, tb, arc.inverse_both());
         const double factor = arc.factor();
-        const BeamColumn beam(
-            {axial[k], bending[k], deviation[k], bending_share[k], slenderness[k]}, chord,
-            factor * factor * dot(arc.turn, arc.turn));
+        const SegmentStiffness stiffness = stiffnesses[k];
+        const BeamColumn beam(stiffness, chord, factor * factor * dot(arc.turn, arc.turn));
         const double tension = beam.tension;
         // at the ends of the segment: by the angle between them, less the own curvature of the mean
         // frame, and by the deviation of the chord
         const double h = length[k];
         const Triple own_a = own_curvature(bend10[k], bend20[k], ta, d1_a[k]);
         const Triple own_b = own_curvature(bend10[k], bend20[k], tb, d1_b[k]);
-        const Triple of_bend = combine(h * factor * (bending[k] + beam.moment), arc.turn,
-                                       -0.5 * h * h * bending[k], combine(1.0, own_a, 1.0, own_b));
+        const Triple of_bend =
+            combine(h * factor * (stiffness.bending + beam.moment), arc.turn,
+                    -0.5 * h * h * stiffness.bending, combine(1.0, own_a, 1.0, own_b));
         const double of_deviation2 = 0.25 * h * h * beam.shearing * beam.shearing * beam.angle2;
         const double moment = std::sqrt(dot(of_bend, of_bend)) + std::sqrt(of_deviation2);
-        const double by_deviation = bending_share[k] * ih * twist_of_deviation(chord, arc.turn);
-        const double torque = torsion[k] * (twist[k] + by_deviation - twist0[k]);
-
         const double normal = std::abs(tension) * axial_yield[k] + moment * bending_yield[k];
-        const double shear = torque * torsion_yield[k];
+        const double shear = torque[k] * torsion_yield[k];
         cosine_out[k] = arc.cosine;
         yield2_out[k] = normal * normal + shear * shear;
         coarseness_out[k] = -tension * inverse_pitch[k];

@@ -70,32 +70,80 @@ struct SegmentStiffness {
     double deviation;  ///< 12 k EI / h^2 (N), k = 1 / (1 + 12 EI / (kappa GA h^2)): shear in series
     double bending_share;  ///< k
     double slenderness;    ///< EA h^2 / EI
+    double twisting;       ///< 1 / GJ (1/(N m2))
+    double
+        bent_twisting;  ///< 1 / (h^2 (kappa GA + 12 EI/h^2)) (1/(N m2)): see torsion_compliance()
 
     SegmentStiffness(const SectionProperties& section, double length)
         : axial(section.axial_stiffness),
           bending(section.bending_stiffness / (length * length)),
           deviation(12.0 / (1.0 / bending + 12.0 / section.shear_stiffness)),
           bending_share(deviation / (12.0 * bending)),
-          slenderness(axial / bending) {}
-    DRILLSTRAND_INLINE SegmentStiffness(double ea, double ei, double dev, double share, double z)
-        : axial(ea), bending(ei), deviation(dev), bending_share(share), slenderness(z) {}
+          slenderness(axial / bending),
+          twisting(1.0 / section.torsional_stiffness),
+          bent_twisting(1.0 / (length * length * (section.shear_stiffness + 12.0 * bending))) {}
+    DRILLSTRAND_INLINE SegmentStiffness(double ea, double ei, double dev, double share, double z,
+                                        double torsion, double bent_torsion)
+        : axial(ea),
+          bending(ei),
+          deviation(dev),
+          bending_share(share),
+          slenderness(z),
+          twisting(torsion),
+          bent_twisting(bent_torsion) {}
+
+    /// Twist per torque (1/(N m2)) of a segment that is bent by |t_a x t_b|: a torque shears it
+    /// too, since its chord and the mean director then have different axes.
+    [[nodiscard]] DRILLSTRAND_INLINE double torsion_compliance(double sine2) const {
+        return twisting + sine2 * bent_twisting;
+    }
+};
+
+/// The load z of a segment (its tension over EI/h^2) at a strain z_s EI/(EA h^2) of its arc. Under
+/// tension the arc flattens, which makes a bent segment softer along its chord:
+///
+///     z_s = z - (EA h^2/EI) (r_s' b^2/2 + 6 k r_a' phi^2) = z + g z/(30 + z)
+///     g = (EA h^2/EI) (b^2/24 + 3 k phi^2/70)
+///
+/// with - r_s'/z = 1/(360 + 12 z), exact at 0 and for high tension, and - r_a'/z in the same form.
+/// No segment carries more compression than z = -30; an exact one buckles at -4 pi^2 or before.
+struct BowedLoad {
+    double free;     ///< z_s
+    double bow;      ///< g
+    double root;     ///< of the equation's discriminant
+    double value;    ///< z
+    double by_free;  ///< dz/dz_s
+    double by_bow;   ///< dz/dg
+
+    DRILLSTRAND_INLINE BowedLoad(double free_load, double bow_of_arc)
+        : free(free_load),
+          bow(bow_of_arc),
+          root(std::sqrt((free + 30.0 - bow) * (free + 30.0 - bow) + 120.0 * bow)),
+          value(0.5 * (free - 30.0 - bow + root)),
+          by_free(0.5 * (1.0 + (free + 30.0 - bow) / root)),
+          by_bow(0.5 * ((30.0 + bow - free) / root - 1.0)) {}
 };
 
 /// The exact beam-column between two nodes, from the angle b between its directors and the angle
-/// phi of its chord: with the arc length c S, S = 1 + b^2/24 + phi^2/10, and eps = c S - 1,
+/// phi of its chord. Its strain is that of an arc of the length c S, S = 1 + b^2/24 + phi^2/10, eps
+/// = c S - 1, at which it carries the load z:
 ///
-///     V/h = EA eps^2/2 + (EI/h^2) (r_s b^2 + 12 k r_a phi^2)/2
+///     V/h = EI/h^2 ((z z_s - z^2/2) EI/(EA h^2) + (r_s b^2 + 12 k r_a phi^2)/2)
 ///
-/// less the part b^2/2 of bending without axial force, which may have a shape of its own.
+/// less the part b^2/2 of bending without axial force, which may have a shape of its own. (The
+/// largest value over z is that of the beam-column; z is near enough to it for an error of second
+/// order, and forces are the gradient of what it is.)
 struct BeamColumn {
     double bend2;       ///< b^2
     double angle2;      ///< phi^2
     double stretching;  ///< S
     double strain;      ///< eps
+    BowedLoad load;
     StabilityFunctions stability;
+    double lack;      ///< of load, for the largest energy: d(V/h)/dz EA h^2/EI over EI/h^2
     double tension;   ///< n = dV/deps / h (N)
-    double moment;    ///< couple of axial force over b h: (EI/h^2) (r_s - 1) + n c/12 (N)
-    double shearing;  ///< P = 12 k (EI/h^2) r_a + n c/5 (N)
+    double moment;    ///< couple of axial force over b h: what it adds to EI/h^2 (N)
+    double shearing;  ///< P: force across over phi (N)
 
     DRILLSTRAND_INLINE BeamColumn(const SegmentStiffness& k, const SegmentChord& chord,
                                   double bend_squared)
@@ -103,12 +151,17 @@ struct BeamColumn {
           angle2(chord.angle2()),
           stretching(1.0 + bend2 * (1.0 / 24.0) + angle2 * 0.1),
           strain(chord.ratio * stretching - 1.0),
-          stability(strain * k.slenderness),
-          tension(k.axial * (strain + 0.5 * (stability.symmetric_slope * bend2 +
-                                             12.0 * k.bending_share *
-                                                 stability.antisymmetric_slope * angle2))),
-          moment(k.bending * stability.symmetric + tension * chord.ratio * (1.0 / 12.0)),
-          shearing(k.deviation * stability.antisymmetric + tension * chord.ratio * 0.2) {}
+          load(strain * k.slenderness,
+               k.slenderness * (bend2 * (1.0 / 24.0) + k.bending_share * angle2 * (3.0 / 70.0))),
+          stability(load.value),
+          lack(load.free - load.value +
+               k.slenderness * (0.5 * stability.symmetric_slope * bend2 +
+                                6.0 * k.bending_share * stability.antisymmetric_slope * angle2)),
+          tension(k.bending * (load.value + lack * load.by_free)),
+          moment(k.bending * (stability.symmetric + lack * load.by_bow * (1.0 / 12.0)) +
+                 tension * chord.ratio * (1.0 / 12.0)),
+          shearing(k.deviation * (stability.antisymmetric + lack * load.by_bow * (1.0 / 140.0)) +
+                   tension * chord.ratio * 0.2) {}
 
     /// The force on the first node along and across the chord; its reaction acts on the last (N).
     [[nodiscard]] DRILLSTRAND_INLINE Triple pull(const SegmentChord& chord) const {
@@ -118,7 +171,8 @@ struct BeamColumn {
     }
     /// V/h, as above (N).
     [[nodiscard]] double energy(const SegmentStiffness& k) const {
-        return 0.5 * (k.axial * strain * strain + k.bending * stability.symmetric * bend2 +
+        return 0.5 * (k.bending * ((2 * load.free - load.value) * load.value / k.slenderness +
+                                   stability.symmetric * bend2) +
                       k.deviation * stability.antisymmetric * angle2);
     }
 };
@@ -129,22 +183,6 @@ struct BeamColumn {
 DRILLSTRAND_INLINE double twist_of_deviation(const SegmentChord& chord, const Triple& turn) {
     return dot(chord.deviation, turn);
 }
-
-/// How a segment's chord stretches and shears: D = dx / h, mean director m, g = D . m, sh = D - g
-/// m.
-struct SegmentStretch {
-    Triple chord;   ///< D
-    Triple mean;    ///< m
-    double along;   ///< g
-    Triple across;  ///< sh
-
-    DRILLSTRAND_INLINE SegmentStretch(const Triple& xa, const Triple& xb, double inverse_length,
-                                      const Triple& ta, const Triple& tb, double inverse_both)
-        : chord(combine(inverse_length, xb, -inverse_length, xa)),
-          mean(combine(inverse_both, ta, inverse_both, tb)),
-          along(dot(chord, mean)),
-          across(combine(1.0, chord, -along, mean)) {}
-};
 
 /// Curvature that a cross section with its own shape would have in the frame of a node (1/m).
 DRILLSTRAND_INLINE Triple own_curvature(double bend1, double bend2, const Triple& t,

@@ -19,7 +19,7 @@ namespace drillstrand {
 DirectorConstants::DirectorConstants(const Scene& scene)
     : table_(rows, static_cast<std::size_t>(scene.segments) + 1) {
     // Padding has no stiffness and no weight: it stays where it is and divides nothing by zero.
-    for (const Row unit : {length, inverse_cell, mass, inverse_mass, polar, inverse_polar,
+    for (const Row unit : {length, twisting, inverse_cell, mass, inverse_mass, polar, inverse_polar,
                            transverse, inverse_transverse}) {
         table_.fill(unit, 1.0);
     }
@@ -30,7 +30,8 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         set(length, mesh.length[k]);
         set(inverse_length, 1 / mesh.length[k]);
         const SegmentStiffness stiffness(s, mesh.length[k]);
-        set(torsion, s.torsional_stiffness);
+        set(twisting, stiffness.twisting);
+        set(bent_twisting, stiffness.bent_twisting);
         set(bending, stiffness.bending);
         set(axial, stiffness.axial);
         set(deviation, stiffness.deviation);
@@ -141,23 +142,14 @@ using SegmentsIn = SegmentRows<ConstTriples, const double*>;
 
 struct SegmentConstants {
     SegmentConstants(const Constants& c, std::ptrdiff_t first)
-        : length(c.row(Constants::length) + first),
+        : stiffness(c, first),
+          length(c.row(Constants::length) + first),
           inverse_length(c.row(Constants::inverse_length) + first),
-          torsion(c.row(Constants::torsion) + first),
-          bending(c.row(Constants::bending) + first),
-          axial(c.row(Constants::axial) + first),
-          deviation(c.row(Constants::deviation) + first),
-          bending_share(c.row(Constants::bending_share) + first),
-          slenderness(c.row(Constants::slenderness) + first),
           twist0(c.row(Constants::twist0) + first),
           bend10(c.row(Constants::bend10) + first),
           bend20(c.row(Constants::bend20) + first) {}
-    const double *length, *inverse_length, *torsion, *bending, *axial, *deviation, *bending_share,
-        *slenderness, *twist0, *bend10, *bend20;
-
-    DRILLSTRAND_INLINE SegmentStiffness operator[](std::size_t k) const {
-        return {axial[k], bending[k], deviation[k], bending_share[k], slenderness[k]};
-    }
+    StiffnessRows stiffness;
+    const double *length, *inverse_length, *twist0, *bend10, *bend20;
 };
 
 struct NodeConstants {
@@ -199,17 +191,19 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
         const SegmentBend arc(ta, tb);
         const Triple& a = arc.turn;
         const double factor = arc.factor();
-        const SegmentStiffness stiffness = c[k];
+        const SegmentStiffness stiffness = c.stiffness[k];
         const SegmentChord chord(a_node.x[k], b_node.x[k], ih, ta, tb, arc.inverse_both());
-        const BeamColumn beam(stiffness, chord, factor * factor * dot(a, a));
+        const double sine2 = dot(a, a);
+        const BeamColumn beam(stiffness, chord, factor * factor * sine2);
 
         // the twist of the frames: h tau += dt (s_k+1 - s_k) + swept area
         const double twist =
             a_node.last_twist[k] + ih * (drift * (b_node.s[k] - a_node.s[k]) +
                                          swept_area(a_node.last_t[k], b_node.last_t[k], tb, ta));
         const double share = stiffness.bending_share;
-        double torque = c.torsion[k] * (twist + share * ih * twist_of_deviation(chord, a));
-        if constexpr (curved) torque -= c.torsion[k] * c.twist0[k];
+        double strain = twist + share * ih * twist_of_deviation(chord, a);
+        if constexpr (curved) strain -= c.twist0[k];
+        const double torque = strain / stiffness.torsion_compliance(sine2);
 
         // gradients of the energy by D and by both directors
         const Triple& e = chord.along;
@@ -217,7 +211,8 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
         const double by_deviation = twisting * ih * chord.inverse_ratio;
         const Triple pull = combine(1.0, beam.pull(chord), by_deviation, without(a, e));
         const double bend_moment = curved ? beam.moment : beam.moment + stiffness.bending;
-        const double bending = h * bend_moment * factor;
+        const double bending =
+            h * (bend_moment * factor - torque * torque * stiffness.bent_twisting * arc.cosine);
         const Triple both = combine(h * beam.shearing * arc.inverse_both(), chord.deviation,
                                     -torque * arc.inverse_one, a);
         Triple first_lean = combine(1.0, both, bending, tb);
@@ -261,7 +256,7 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
                 const Triple n_rate = combine(
                     stretching, by_chord, kelvin_voigt * stiffness.deviation, without(g_rate, e));
                 const Triple& m = chord.mean;
-                const double torsion = kelvin_voigt * c.torsion[k] * dot(k_rate, m);
+                const double torsion = kelvin_voigt / stiffness.twisting * dot(k_rate, m);
                 const double ei = kelvin_voigt * stiffness.bending * h * h;
                 Triple couple = combine(ei, without(k_rate, m), h * stretching * by_bend, a);
                 couple = combine(1.0, couple, torsion * arc.inverse_one, combine(1.0, ta, 1.0, tb));

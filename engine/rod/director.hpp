@@ -12,6 +12,7 @@
 #include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
 #include "forces/surroundings.hpp"
+#include "model/segment_strain.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/end.hpp"
 #include "state/rows.hpp"
@@ -24,7 +25,8 @@ class DirectorConstants {
     enum Row : std::size_t {
         length,              // segment, h (m)
         inverse_length,      // segment, 1 / h (1/m); 0 in the padding
-        torsion,             // segment, GJ (N m2)
+        twisting,            // segment, 1 / GJ (1/(N m2))
+        bent_twisting,       // segment, what bending adds to it (1/(N m2))
         bending,             // segment, EI / h2 (N)
         axial,               // segment, EA (N)
         deviation,           // segment, 12 k EI / h2 (N)
@@ -51,6 +53,25 @@ class DirectorConstants {
 
   private:
     BlockTable table_;
+};
+
+/// The stiffnesses of segments, from an entry on.
+struct StiffnessRows {
+    StiffnessRows(const DirectorConstants& c, std::ptrdiff_t first)
+        : axial(c.row(DirectorConstants::axial) + first),
+          bending(c.row(DirectorConstants::bending) + first),
+          deviation(c.row(DirectorConstants::deviation) + first),
+          bending_share(c.row(DirectorConstants::bending_share) + first),
+          slenderness(c.row(DirectorConstants::slenderness) + first),
+          twisting(c.row(DirectorConstants::twisting) + first),
+          bent_twisting(c.row(DirectorConstants::bent_twisting) + first) {}
+    const double *axial, *bending, *deviation, *bending_share, *slenderness, *twisting,
+        *bent_twisting;
+
+    DRILLSTRAND_INLINE SegmentStiffness operator[](std::size_t k) const {
+        return {axial[k],       bending[k],  deviation[k],    bending_share[k],
+                slenderness[k], twisting[k], bent_twisting[k]};
+    }
 };
 
 /// What segments hand to nodes, written anew each step.

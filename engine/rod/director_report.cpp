@@ -81,8 +81,8 @@ Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot
     const ReportedSegment segment(scene, k, at);
     const Vector3d turn =
         at.rod.vector(DirectorRow::director, k) - at.rod.vector(DirectorRow::director, k + 1);
-    const double z = segment.beam.strain * segment.stiffness.slenderness;
-    const Vector3d aside = segment.length / 8 / hyperbolic_cotangent_ratio(z / 16) * turn;
+    const Vector3d aside =
+        segment.length / 8 / hyperbolic_cotangent_ratio(segment.beam.load.value / 16) * turn;
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
     const Vector3d couple = 0.5 * (first_couple(at, k) - last_couple(at, k)) - aside.cross(pull);
     const Vector3d t =
@@ -111,7 +111,8 @@ double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot&
     const double bending = (segment.bend - 0.5 * (own(k) + own(k + 1))).squaredNorm();
     return segment.length *
            (segment.beam.energy(segment.stiffness) + 0.5 * section.bending_stiffness * bending +
-            0.5 * torque * torque / section.torsional_stiffness);
+            0.5 * torque * torque *
+                segment.stiffness.torsion_compliance(dot(segment.arc.turn, segment.arc.turn)));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/segment_strain.hpp"
+
 namespace drillstrand {
 
 using Eigen::Vector3d;
@@ -77,8 +79,9 @@ bool Imbalance::is_rounding() const {
 }
 
 /// Each of two positions is known to eps |x| / 2, a director to eps: a chord of h to r = eps (|x| +
-/// h), its strain to r / h. Pull follows with EA or kGA, the couple of the lean with h times the
-/// pull, bending and torsion with EI / h and GJ / h; a wall with its stiffness.
+/// h), its strain and deviation to r / h. Pull follows with EA, or 12 EI / h^2 of a stocky segment,
+/// couples with an arm of h at most, bending and torsion with EI / h and GJ / h; a wall with its
+/// stiffness.
 void Balance::add_rounding(const RodState& state, std::size_t segment, double pull,
                            Imbalance& sum) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -88,8 +91,8 @@ void Balance::add_rounding(const RodState& state, std::size_t segment, double pu
     const double position =
         eps * std::max(state.position[segment].norm(), state.position[node].norm());
     const double r = position + eps * h;
-    const double stiffness = std::max(section.axial_stiffness, section.shear_stiffness) / h;
-    const double force = stiffness * r;
+    const SegmentStiffness stiffness(section, h);
+    const double force = std::max(stiffness.axial, stiffness.deviation) * r / h;
     const double couple =
         h * force + eps * (section.bending_stiffness + section.torsional_stiffness) / h;
     sum.energy_rounding += (pull + 0.5 * force) * r;

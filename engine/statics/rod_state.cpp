@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/pose.hpp"
+#include "model/segment_strain.hpp"
 
 namespace drillstrand {
 
@@ -73,9 +74,52 @@ double frame_angle(const RodState& state, std::size_t node, double guess) {
     return angle + turn * std::round((guess - angle) / turn);
 }
 
-/// The end of a chord whose strains change as the motion of its ends says to first order.
-Vector3d strained_chord(const Vector3d& chord, const Vector3d& change, const Vector3d& rotation) {
-    return rotated(chord + change - rotation.cross(chord), rotation);
+/// The arc between the nodes of a segment, c S h (README.md, "Segment").
+struct Arc {
+    SegmentBend bend;
+    SegmentChord chord;
+    double factor, stretching;
+
+    Arc(const Vector3d& across, const Vector3d& ta, const Vector3d& tb)
+        : bend(triple(ta), triple(tb)),
+          chord({}, triple(across), 1, triple(ta), triple(tb), bend.inverse_both()),
+          factor(bend.factor()),
+          stretching(1 + factor * factor * dot(bend.turn, bend.turn) / 24 + chord.angle2() / 10) {}
+
+    /// m
+    [[nodiscard]] double length() const { return chord.ratio * stretching; }
+};
+
+/// Change of the length of an arc (m) to first order, by those of its chord and directors.
+double change_of_length(const Arc& arc, const Vector3d& change, const Vector3d& ta,
+                        const Vector3d& change_a, const Vector3d& tb, const Vector3d& change_b) {
+    const Vector3d along = vector(arc.chord.along);
+    const Vector3d off_chord = vector(arc.chord.mean) - arc.chord.cosine * along;
+    const double cosine = ta.dot(change_b) + tb.dot(change_a);
+    const double deviation =
+        arc.bend.inverse_both() * vector(arc.chord.deviation).dot(change_a + change_b);
+    return (arc.stretching * along - off_chord / 5).dot(change) -
+           arc.chord.ratio * (arc.factor / 12 * cosine + deviation / 5);
+}
+
+/// The chord after a segment whose directors have turned: as they turn in the mean, with its
+/// deviation and the length of its arc changed as the motion of its nodes, a before b, says to
+/// first order.
+Vector3d strained_chord(const RodState& state, const RodState& next, std::size_t k,
+                        const Vector6& motion_a, const Vector6& motion_b) {
+    const Vector3d& ta = state.director[k];
+    const Vector3d& tb = state.director[k + 1];
+    const Vector3d chord = state.position[k + 1] - state.position[k];
+    const Vector3d change = (motion_b - motion_a).head<3>();
+    const Vector3d turn_a = motion_a.tail<3>();
+    const Vector3d turn_b = motion_b.tail<3>();
+    const Vector3d turn = 0.5 * (turn_a + turn_b);
+    const Vector3d turned = rotated(chord + change - turn.cross(chord), turn);
+    const Arc before(chord, ta, tb);
+    const Arc after(turned, next.director[k], next.director[k + 1]);
+    const double length = before.length() + change_of_length(before, change, ta, turn_a.cross(ta),
+                                                             tb, turn_b.cross(tb));
+    return length / after.length() * turned;
 }
 
 }  // namespace
@@ -99,11 +143,8 @@ RodState moved(const RodState& state, const std::vector<double>& length, const N
                  swept_area(state.director[k], t, next.director[node], next.director[k])) /
                 length[k];
         } else {
-            const Vector3d mean = 0.5 * (before.tail<3>() + rotation);
-            next.position[node] =
-                next.position[k] + strained_chord(state.position[node] - state.position[k],
-                                                  now.head<3>() - before.head<3>(), mean);
             turn_rigidly(next, node, rotation);
+            next.position[node] = next.position[k] + strained_chord(state, next, k, before, now);
             const double guess = length[k] * state.twist[k] + spin - spin_before;
             next.twist[k] = frame_angle(next, node, guess) / length[k];
         }
