@@ -155,11 +155,14 @@ Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     const Number twist =
         Number(rod.twist[k] - own[0], by_rotation) + share / h * e.dot(ta.cross(tb));
 
-    return h *
-           (ei / (h * h) *
-                ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
-                 6 * share * antisymmetric * phi2) +
-            ei / 2 * elastic_bend.squaredNorm() + section.torsional_stiffness / 2 * twist * twist);
+    // a torque shears a bent segment
+    const Number compliance =
+        1 / section.torsional_stiffness +
+        ta.cross(tb).squaredNorm() / (h * h * section.shear_stiffness + 12 * ei);
+    return h * (ei / (h * h) *
+                    ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
+                     6 * share * antisymmetric * phi2) +
+                ei / 2 * elastic_bend.squaredNorm() + twist * twist / compliance / 2.0);
 }
 
 /// Adds a segment's elastic forces to its end nodes.
