@@ -190,4 +190,46 @@ DRILLSTRAND_INLINE Triple own_curvature(double bend1, double bend2, const Triple
     return combine(bend1, d1, bend2, cross(t, d1));
 }
 
+/// A segment that is bent by itself: gradients (J) of the part of its energy that its own curvature
+/// changes, with the means over the segment of vectors that turn with its sections, from kappa_a at
+/// the one end to kappa_b at the other, Delta = kappa_b - kappa_a. With Theta = f a + h tau_f m:
+///
+///     kappa = (kappa_a + kappa_b)/2 - Theta x Delta/12
+///     EI h |kb - kappa|^2/2 - k EI e . (m x Delta) + (k EI h/24) |m x Delta|^2
+///
+/// where h/12 m x Delta is the chord's own deviation from the mean director.
+struct OwnShape {
+    Triple by_bend;   ///< by f a (N m)
+    double by_twist;  ///< by h tau_f (N m)
+    Triple by_chord;  ///< by e (J)
+    Triple by_mean;   ///< by m (J)
+    Triple by_first;  ///< by kappa_a (N m2)
+    Triple by_last;   ///< by kappa_b (N m2)
+
+    /// `ei`: EI (N m2); `bend`: f a; `twist`: h tau_f.
+    DRILLSTRAND_INLINE OwnShape(double ei, double share, double h, const Triple& bend, double twist,
+                                const SegmentChord& chord, const Triple& own_a,
+                                const Triple& own_b) {
+        const Triple& m = chord.mean;
+        const Triple change = combine(1.0, own_b, -1.0, own_a);
+        const Triple turn = combine(1.0, bend, twist, m);
+        const Triple mean =
+            combine(1.0, combine(0.5, own_a, 0.5, own_b), -1.0 / 12.0, cross(turn, change));
+        const Triple moment = combine(ei / h, bend, -ei, mean);
+        const Triple by_turn = scaled(h * (1.0 / 12.0), cross(change, moment));
+        const Triple aside = cross(m, change);
+        const Triple by_aside =
+            combine(-share * ei, chord.along, share * ei * h * (1.0 / 12.0), aside);
+        const Triple by_change =
+            combine(h * (1.0 / 12.0), cross(moment, turn), 1.0, cross(by_aside, m));
+
+        by_bend = combine(1.0, moment, 1.0, by_turn);
+        by_twist = dot(m, by_turn);
+        by_chord = scaled(-share * ei, aside);
+        by_mean = combine(twist, by_turn, 1.0, cross(change, by_aside));
+        by_first = combine(-0.5 * h, moment, -1.0, by_change);
+        by_last = combine(-0.5 * h, moment, 1.0, by_change);
+    }
+};
+
 }  // namespace drillstrand

@@ -203,39 +203,42 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
         const double share = stiffness.bending_share;
         double strain = twist + share * ih * twist_of_deviation(chord, a);
         if constexpr (curved) strain -= c.twist0[k];
-        const double torque = strain / stiffness.torsion_compliance(sine2);
+        const double strain_torque = strain / stiffness.torsion_compliance(sine2);
 
         // gradients of the energy by D and by both directors
         const Triple& e = chord.along;
-        const double twisting = torque * share;
-        const double by_deviation = twisting * ih * chord.inverse_ratio;
-        const Triple pull = combine(1.0, beam.pull(chord), by_deviation, without(a, e));
+        const double twisting = strain_torque * share;
+        Triple by_chord = scaled(twisting, a);
         const double bend_moment = curved ? beam.moment : beam.moment + stiffness.bending;
         const double bending =
-            h * (bend_moment * factor - torque * torque * stiffness.bent_twisting * arc.cosine);
-        const Triple both = combine(h * beam.shearing * arc.inverse_both(), chord.deviation,
-                                    -torque * arc.inverse_one, a);
-        Triple first_lean = combine(1.0, both, bending, tb);
-        Triple last_lean = combine(1.0, both, bending, ta);
-        first_lean = combine(1.0, first_lean, twisting, cross(e, tb));
-        last_lean = combine(1.0, last_lean, twisting, cross(ta, e));
+            h * (bend_moment * factor -
+                 strain_torque * strain_torque * stiffness.bent_twisting * arc.cosine);
+        Triple by_mean = scaled(-h * beam.shearing, chord.deviation);
+        Triple first_lean = combine(bending, tb, twisting, cross(e, tb));
+        Triple last_lean = combine(bending, ta, twisting, cross(ta, e));
+        double torque = strain_torque;
         if constexpr (curved) {
-            // own shape: kappa = k1 d1 + k2 d2, the mean of both nodes'; m = EI (kb - kappa)
-            const Triple kappa_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
-            const Triple kappa_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
-            const Triple kappa = combine(0.5, kappa_a, 0.5, kappa_b);
+            const Triple own_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
+            const Triple own_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
             const double ei = stiffness.bending * h * h;
-            const Triple moment = combine(ei * ih * factor, a, -ei, kappa);
-            // gradient of h m . kb, kb = f a / h: f = b / sin b of cos b
-            const double along = arc.slope(factor) * dot(moment, a);
-            first_lean = combine(1.0, first_lean, -along, tb);
-            last_lean = combine(1.0, last_lean, -along, ta);
-            first_lean = combine(1.0, first_lean, factor, cross(moment, tb));
-            last_lean = combine(1.0, last_lean, factor, cross(ta, moment));
-            // gradient of -h m . kappa as the frames turn
-            out.first_couple.set(k, scaled(0.5 * h, cross(kappa_a, moment)));
-            out.last_couple.set(k, scaled(0.5 * h, cross(kappa_b, moment)));
+            const OwnShape own(ei, share, h, scaled(factor, a), h * twist, chord, own_a, own_b);
+            const double along = arc.slope(factor) * dot(own.by_bend, a);
+            const Triple turn = combine(-along, tb, factor, cross(own.by_bend, tb));
+            first_lean = combine(1.0, first_lean, 1.0, turn);
+            last_lean =
+                combine(1.0, last_lean, 1.0, combine(-along, ta, factor, cross(ta, own.by_bend)));
+            by_chord = combine(1.0, by_chord, 1.0, own.by_chord);
+            by_mean = combine(1.0, by_mean, 1.0, own.by_mean);
+            torque += own.by_twist;
+            out.first_couple.set(k, cross(own.by_first, own_a));
+            out.last_couple.set(k, cross(own.by_last, own_b));
         }
+        const Triple pull =
+            combine(1.0, beam.pull(chord), ih * chord.inverse_ratio, without(by_chord, e));
+        if constexpr (curved) by_mean = without(by_mean, chord.mean);
+        const Triple both = combine(-arc.inverse_both(), by_mean, -torque * arc.inverse_one, a);
+        first_lean = combine(1.0, first_lean, 1.0, both);
+        last_lean = combine(1.0, last_lean, 1.0, both);
         if constexpr (damping != Damping::none) {
             // rates of strain from velocities: g' = dv/h - w x D, k' = dw/h
             const Triple wa = combine(1.0, a_node.w[k], a_node.s[k], ta);
@@ -251,7 +254,7 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
                 const Triple by_chord =
                     combine(beam.stretching, e, 0.2, without(chord.deviation, e));
                 const double by_bend = chord.ratio * factor * (1.0 / 12.0);
-                const double strain_rate = dot(by_chord, g_rate) + by_bend * h * dot(a, k_rate);
+                const double strain_rate = dot(by_stretch, g_rate) + by_bend * h * dot(a, k_rate);
                 const double stretching = kelvin_voigt * stiffness.axial * strain_rate;
                 const Triple n_rate = combine(
                     stretching, by_chord, kelvin_voigt * stiffness.deviation, without(g_rate, e));

@@ -144,25 +144,33 @@ Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
         return Vector(Number(own[1]) * turned_with(node.material, first) +
                       Number(own[2]) * turned_with(node.director.cross(node.material), first));
     };
-    const Vector own_bend = (own_of(a, 3) + own_of(b, 9)) / Number(2);
-    const Vector elastic_bend = bend - own_bend;
-
-    // twist of the frames, whose change is e_w . (w_b - w_a), and of the cubic between the nodes
     const Vector3d axis = (a.director + b.director) / (1 + a.director.dot(b.director));
     Gradient by_rotation = Gradient::Zero();
     by_rotation.segment<3>(3) = -axis / h;
     by_rotation.segment<3>(9) = axis / h;
-    const Number twist =
-        Number(rod.twist[k] - own[0], by_rotation) + share / h * e.dot(ta.cross(tb));
+    const Number frame_twist(rod.twist[k], by_rotation);
+
+    // means over the segment of vectors that turn with its sections, and the chord's own deviation
+    const Vector own_a = own_of(a, 3);
+    const Vector own_b = own_of(b, 9);
+    const Vector own_change = own_b - own_a;
+    const Vector turn = (bend + frame_twist * mean) * Number(h);
+    const Vector own_bend = (own_a + own_b) / Number(2) - turn.cross(own_change) / Number(12);
+    const Vector own_deviation = mean.cross(own_change) * Number(h / 12);
+    const Vector elastic_bend = bend - own_bend;
+
+    // twist of the frames and of the cubic between the nodes
+    const Number twist = frame_twist - own[0] + share / h * e.dot(ta.cross(tb));
 
     // a torque shears a bent segment
     const Number compliance =
         1 / section.torsional_stiffness +
         ta.cross(tb).squaredNorm() / (h * h * section.shear_stiffness + 12 * ei);
-    return h * (ei / (h * h) *
-                    ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
-                     6 * share * antisymmetric * phi2) +
-                ei / 2 * elastic_bend.squaredNorm() + twist * twist / compliance / 2.0);
+    return h *
+           (ei / (h * h) *
+                ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
+                 6 * share * ((antisymmetric - 1.0) * phi2 + (off - own_deviation).squaredNorm())) +
+            ei / 2 * elastic_bend.squaredNorm() + twist * twist / compliance / 2.0);
 }
 
 /// Adds a segment's elastic forces to its end nodes.
