@@ -49,6 +49,9 @@ void Leapfrog::advance(double end, std::int64_t max_steps) {
             sample_time_error();
         if (end != state_.course.end)
             state_.course = course_to(end, bound_ * state_.time_error.factor);
+        if (steps == 0)
+            state_.origin.half_steps =
+                half_kick_energy(string_, state_, 0.5 * state_.course.step());
         take(std::min({state_.course.steps - state_.course.done, last - steps,
                        state_.time_error.due - steps, team_.longest_piece(wall_time())}));
     }

@@ -251,13 +251,13 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
             out.drag_couple.set(k, scaled(internal_damping.rotation, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
                 // eps' = S c' + c (b b'/12 + phi phi'/5): power of n eps' on g' and k'
-                const Triple by_chord =
+                const Triple by_stretch =
                     combine(beam.stretching, e, 0.2, without(chord.deviation, e));
                 const double by_bend = chord.ratio * factor * (1.0 / 12.0);
                 const double strain_rate = dot(by_stretch, g_rate) + by_bend * h * dot(a, k_rate);
                 const double stretching = kelvin_voigt * stiffness.axial * strain_rate;
                 const Triple n_rate = combine(
-                    stretching, by_chord, kelvin_voigt * stiffness.deviation, without(g_rate, e));
+                    stretching, by_stretch, kelvin_voigt * stiffness.deviation, without(g_rate, e));
                 const Triple& m = chord.mean;
                 const double torsion = kelvin_voigt / stiffness.twisting * dot(k_rate, m);
                 const double ei = kelvin_voigt * stiffness.bending * h * h;

@@ -37,6 +37,11 @@ std::vector<Eigen::Matrix3d> material_frames(const DirectorString& string,
 std::string describe_divergence(const DirectorString& string,
                                 std::initializer_list<const Table<DirectorRow>*> rods, double time);
 
+/// What the rod's forces do to the velocities of its nodes in half a step, as an energy (J): by
+/// this the energy that the leapfrog keeps, 1/2 m v- . v+ of the half steps before and after a
+/// record, is less than that of their mean. Records count from that of the first step.
+double half_kick_energy(const DirectorString& string, const DirectorState& state, double half_step);
+
 /// The energies from which records of a run that begins with this state count.
 EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& state);
 

@@ -191,6 +191,7 @@ struct EnergyOrigin {
     double head = 0;
     double potential = 0;
     double springs = 0;
+    double half_steps = 0;
 };
 // clang-format off
 template <>
@@ -198,6 +199,7 @@ inline constexpr auto field_list<EnergyOrigin> = std::to_array<Field<EnergyOrigi
     {&EnergyOrigin::head,      "head",      "J", "start: kinetic energy of a driven head's node"},
     {&EnergyOrigin::potential, "potential", "J", "start: of weight"},
     {&EnergyOrigin::springs,   "springs",   "J", "start: of the springs of the wall"},
+    {&EnergyOrigin::half_steps, "half_steps", "J", "leapfrog, first step: what its first half kick gives"},
 });
 // clang-format on
 

@@ -81,8 +81,8 @@ class Table {
         return {lines_.row(i) + first, lines_.row(i + 1) + first, lines_.row(i + 2) + first};
     }
 
-    [[nodiscard]] Eigen::Vector3d vector(Row row, std::size_t entry) const {
-        return drillstrand::vector(triples(row, 0)[entry]);
+    [[nodiscard]] Eigen::Vector3d vector(Row row, std::ptrdiff_t entry) const {
+        return drillstrand::vector(triples(row, entry)[0]);
     }
     void set(Row row, std::ptrdiff_t entry, const Eigen::Vector3d& value) {
         triples(row, entry).set(0, triple(value));
