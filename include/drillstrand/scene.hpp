@@ -43,7 +43,7 @@ struct Scene {
     /// N+1, mass that moves sideways: the pipe, the fluid in it, and the fluid around it as in the
     /// middle of the hole (kg/m)
     std::vector<double> lateral_mass;
-    /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 3 k EI m/EA,
+    /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 4 k EI m/EA,
     /// for dormand-prince plus (lateral mass) h^2/12 with segment inertia
     std::vector<double> inertia;
     std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
