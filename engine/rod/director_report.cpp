@@ -99,6 +99,14 @@ Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot
     return stress;
 }
 
+/// Moment that the rod bears at a node (N m): the mean of what the segments at it bear there.
+Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std::size_t node) {
+    const std::size_t last = string.model.segments;
+    if (node == 0) return first_couple(at, 0);
+    if (node == last) return -last_couple(at, last - 1);
+    return 0.5 * (first_couple(at, node) - last_couple(at, node - 1));
+}
+
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
     const SectionProperties& section = segment.section;
@@ -280,6 +288,7 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         momentum[0] = at.rod.row(DirectorRow::spin)[k];
         momentum = momentum.cwiseProduct(inertia_of(scene, k, fluid_mass_at(at.wall, k)));
         profile.director.emplace_back(at.frame[k].col(0));
+        profile.moment.emplace_back(to_body * moment_at(string, at, k));
         profile.momentum.push_back(momentum);
     }
     report_wall(string.scene, profile, string.model.surroundings, at.wall);
