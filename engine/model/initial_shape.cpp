@@ -208,6 +208,35 @@ std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state
     return strains;
 }
 
+/// Curvature of a strain, in the section whose axes are the columns of `frame` (1/m).
+Eigen::Vector3d curvature_in(const Eigen::Matrix3d& frame, const Vector6& strain) {
+    return strain[1] * frame.col(1) + strain[2] * frame.col(2);
+}
+
+/// Directors of the arcs of given strains, joined by beam-columns of their length, deviation and
+/// twist (engine/rod/README.md, "Own shape"): nothing is stressed in a rod of that shape.
+InitialNodes free_nodes(const Scene& scene, const Pose& head) {
+    InitialNodes nodes;
+    nodes.position = {head.position};
+    nodes.director = {head.frame.col(0)};
+    const std::vector<Pose> pose =
+        poses_from_strains(head, scene.mesh.length, scene.initial_strain);
+    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
+        const double h = scene.mesh.length[k];
+        const Vector6& strain = scene.initial_strain[k];
+        const Eigen::Matrix3d& a = pose[k].frame;
+        const Eigen::Matrix3d& b = pose[k + 1].frame;
+        const Eigen::Vector3d mean = (a.col(0) + b.col(0)).normalized();
+        const Eigen::Vector3d change = curvature_in(b, strain) - curvature_in(a, strain);
+        const Eigen::Vector3d along = (mean + h / 12 * mean.cross(change)).normalized();
+        const double chord = h / arc_over_chord(along, a.col(0), b.col(0));
+        nodes.position.emplace_back(nodes.position[k] + chord * along);
+        nodes.director.emplace_back(b.col(0));
+        nodes.twist.push_back(strain[0] - along.dot(a.col(0).cross(b.col(0))) / h);
+    }
+    return nodes;
+}
+
 bool lies_along_well(const Scene& scene, const InitialCase& initial) {
     // the search for equilibrium starts from there too
     return scene.well && initial.state != InitialState::stress_free;
@@ -232,20 +261,7 @@ InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial) {
             *scene.well, scene.mesh, head, beam_segment,
             [&](const InitialNodes& trial) { return beam_stretches(trial, scene.mesh); });
     }
-    // directors of the arcs, joined along their means by beam-columns as long as the segments
-    InitialNodes nodes;
-    nodes.position = {head.position};
-    for (const Pose& pose : poses_from_strains(head, scene.mesh.length, scene.initial_strain))
-        nodes.director.emplace_back(pose.frame.col(0));
-    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
-        const Eigen::Vector3d& first = nodes.director[k];
-        const Eigen::Vector3d& last = nodes.director[k + 1];
-        const Eigen::Vector3d mean = (first + last).normalized();
-        const double chord = scene.mesh.length[k] / arc_over_chord(mean, first, last);
-        nodes.position.push_back(nodes.position[k] + chord * mean);
-        nodes.twist.push_back(scene.initial_strain[k][0]);
-    }
-    return nodes;
+    return free_nodes(scene, head);
 }
 
 }  // namespace drillstrand

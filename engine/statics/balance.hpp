@@ -45,6 +45,8 @@ struct Imbalance {
 
     /// Whether nothing is left out of balance but what rounding leaves.
     [[nodiscard]] bool is_rounding() const;
+    /// Energies that differ by less than this differ by rounding (J).
+    [[nodiscard]] double least_energy_change() const;
 };
 
 /// Wall on a node, per length as reports show it.

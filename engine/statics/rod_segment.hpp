@@ -10,6 +10,8 @@
 namespace drillstrand {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector9 = Eigen::Matrix<double, 9, 1>;
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 /// A node as its segments see it.
 struct SegmentEnd {

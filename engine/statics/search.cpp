@@ -184,15 +184,20 @@ void EquilibriumSearch::look_for_buckling() {
     balance_.set_loads(loads_at(Stage::bit, 1));
 }
 
-/// From a state that is not stable downhill to one that is.
+/// From a state that is not stable downhill to one that is, or from which nothing falls further: a
+/// column that has bent to one side may turn to any other, and rounding decides whether it is firm.
 void EquilibriumSearch::fall_to_stable() {
     constexpr int tries = 5;
+    Imbalance saddle = balance_.imbalance(state_);
     for (int i = 0; i < tries; ++i) {
         newton_.leave_saddle(state_);
         const SearchOutcome outcome = newton_.descend(state_, 1);
-        stable_ = outcome == SearchOutcome::converged;
-        if (stable_) return;
         if (outcome == SearchOutcome::failed) fail();
+        const Imbalance now = balance_.imbalance(state_);
+        stable_ = outcome == SearchOutcome::converged ||
+                  saddle.energy - now.energy < now.least_energy_change();
+        if (stable_) return;
+        saddle = now;
     }
     warnings_.emplace_back("the equilibrium found is not stable");
 }

@@ -268,8 +268,8 @@ TEST(FollowerLoad, BecksColumnFluttersAtTheExactLoadAndNeverDiverges) {
     };
     const double coarse = load(8) - exact;
     const double fine = load(16) - exact;
-    EXPECT_LT(std::abs(fine), 0.25);
-    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3);
+    EXPECT_LT(std::abs(fine), 0.01);
+    EXPECT_NEAR(std::log2(coarse / fine), 4, 0.5);
 }
 
 }  // namespace
