@@ -109,18 +109,24 @@ Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std
 
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const SectionProperties& section = segment.section;
+    const SegmentStiffness& stiffness = segment.stiffness;
+    const Vector3d& curvature = segment.section.curvature;
     const auto own = [&](std::size_t node) {
-        return vector(own_curvature(section.curvature[1], section.curvature[2],
-                                    triple(Vector3d(at.frame[node].col(0))),
-                                    triple(Vector3d(at.frame[node].col(1)))));
+        return own_curvature(curvature[1], curvature[2], triple(Vector3d(at.frame[node].col(0))),
+                             triple(Vector3d(at.frame[node].col(1))));
     };
-    const double torque = at.segments.row(SegmentRow::torque)[k];
-    const double bending = (segment.bend - 0.5 * (own(k) + own(k + 1))).squaredNorm();
-    return segment.length *
-           (segment.beam.energy(segment.stiffness) + 0.5 * section.bending_stiffness * bending +
-            0.5 * torque * torque *
-                segment.stiffness.torsion_compliance(dot(segment.arc.turn, segment.arc.turn)));
+    const double h = segment.length;
+    const double theta = h * at.segments.row(SegmentRow::twist)[k];
+    const Triple& turn = segment.arc.turn;
+    const double twist =
+        theta + stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
+        OwnCurvature::twist(stiffness, h, segment.chord, turn, own(k), own(k + 1)) -
+        h * curvature[0];
+    const OwnCurvature shape(stiffness, h, node_triple(at, DirectorRow::director, k),
+                             node_triple(at, DirectorRow::director, k + 1), segment.arc,
+                             segment.arc.factor(), segment.chord, theta, 0, own(k), own(k + 1));
+    return h * (segment.beam.energy(stiffness) + 0.5 * stiffness.bending * segment.beam.bend2) +
+           shape.energy + 0.5 * twist * twist / (h * stiffness.torsion_compliance(dot(turn, turn)));
 }
 
 }  // namespace
