@@ -280,6 +280,10 @@ SegmentTangent by_nodes(const Matrix9& k) {
 
 }  // namespace
 
+double segment_load(const RodSegment& s) {
+    return Column(s, Bend(s)).beam.load.value;
+}
+
 SegmentForces segment_forces(const RodSegment& s) {
     const Bend bend(s);
     const Column column(s, bend);

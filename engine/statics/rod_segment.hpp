@@ -41,6 +41,9 @@ struct SegmentTangent {
     Matrix6 aa, ab, ba, bb;  ///< force on the first by motion of the second letter
 };
 
+/// z: axial force over EI/h^2.
+double segment_load(const RodSegment& segment);
+
 SegmentForces segment_forces(const RodSegment& segment);
 SegmentTangent segment_tangent(const RodSegment& segment);
 
