@@ -65,8 +65,10 @@ std::vector<Node> nodes_of(const Scene& scene, double tension) {
 
 /// Stiffness of a segment against motions of its nodes, by central differences.
 MatrixXd stiffness_of(const SectionProperties& section, double h, const Node& a, const Node& b) {
-    constexpr double step = 1e-4;  // of h, or rad
-    const auto unit = [&](Index i) { return i % 6 < 3 ? h * step : step; };
+    constexpr double turn = 1e-4;  // rad
+    // of h: a segment buckles at z = -30
+    const double part = std::min(1e-4, 4 / SegmentStiffness(section, h).slenderness);
+    const auto unit = [&](Index i) { return i % 6 < 3 ? h * part : turn; };
     const auto at = [&](Index i, double u, Index j, double v) {
         Eigen::Matrix<double, 12, 1> by = Eigen::Matrix<double, 12, 1>::Zero();
         by[i] += u * unit(i);

@@ -119,13 +119,15 @@ TEST(Whirl, ForwardAndBackwardPartsAreToldApartAndTheirRateIsTheMean) {
     Pipe pipe;
     pipe.spin(10);
     pipe.turn(2, 7, 0.8 * clearance, 4);
-    pipe.turn(18, 20, 0.6 * clearance, -7);  // the last cell is a half
+    // cells of 1, 13/12 and 5/12
+    pipe.turn(18, 20, 0.6 * clearance, -7);
     const Whirl whirl = pipe.whirl();
     EXPECT_NEAR(whirl.forward, 6 * cell / length, 1e-12);
     EXPECT_NEAR(whirl.backward, 2.5 * cell / length, 1e-12);
     EXPECT_NEAR(whirl.rate, (6 * 4.0 - 2.5 * 7) / 8.5, 1e-9);
     EXPECT_NEAR(whirl.rolling_rate, -17.5, 1e-9);
-    EXPECT_NEAR(whirl.depth, first_depth + cell * (6 * 4.5 + 18 + 19 + 0.5 * 20) / 8.5, 1e-9);
+    const double moment = 6 * 4.5 + 18 + 13. / 12 * 19 + 5. / 12 * 20;
+    EXPECT_NEAR(whirl.depth, first_depth + cell * moment / 8.5, 1e-9);
 }
 
 TEST(Whirl, AsksForEccentricityForASpinAndForAWayAroundTheWell) {
@@ -194,9 +196,9 @@ TEST(WallDrag, IsTheSumOverCellsAndItsDepthTheMeanWeightedBySize) {
         depth.push_back(contact.well_depth);
     EXPECT_EQ(wall_drag(pipe.scene(), friction, depth).depth, 0);
     friction[4] = 300;
-    friction[20] = -200;  // on half a cell
+    friction[20] = -240;
     const WallDrag drag = wall_drag(pipe.scene(), friction, depth);
-    EXPECT_NEAR(drag.force, 1500 - 500, 1e-9);
+    EXPECT_NEAR(drag.force, 1500 - 500, 1e-9);  // on a cell and on 5/12 of one
     EXPECT_NEAR(drag.depth, first_depth + (1500 * 20 + 500 * 100) / 2000.0, 1e-9);
 }
 

@@ -59,6 +59,7 @@ Run run(const Scene& scene, const RunCase& settings, const OutputCase& output, I
     options.isa = isa;
     const auto integrator = make_integrator(scene, options);
     Run result;
+    result.cell = scene.mesh.cell;
     MemoryObserver observer(result);
     simulate(*integrator, {settings.duration, output.interval, output.profile_interval}, observer);
     result.statistics = integrator->statistics();

@@ -19,6 +19,8 @@ struct Run {
     std::vector<SeriesRecord> series;
     std::vector<Profile> profiles;
     StepStatistics statistics;
+    std::vector<double>
+        cell;  ///< of the nodes: what is lumped at one is a value per length of it (m)
 
     [[nodiscard]] const SeriesRecord& last() const { return series.back(); }
     [[nodiscard]] const Profile& end() const { return profiles.back(); }

@@ -56,12 +56,10 @@ struct TotalMomentum {
     Vector3d angular = Vector3d::Zero();
 };
 
-TotalMomentum total_momentum(const Profile& profile, double length) {
+TotalMomentum total_momentum(const test::Run& run, std::size_t record) {
     TotalMomentum total;
-    const std::size_t last = profile.position.size() - 1;
-    const double h = length / static_cast<double>(last);
-    for (std::size_t k = 0; k <= last; ++k) {
-        const double cell = k == 0 || k == last ? h / 2 : h;
+    const Profile& profile = run.profiles.at(record);
+    for (std::size_t k = 0; k < profile.position.size(); ++k) {
         // d1 starts as east made normal to d3, to its right as seen from above, and stays so
         const Vector3d d3 = profile.director[k];
         const Vector3d d1(d3.y(), -d3.x(), 0);
@@ -69,8 +67,8 @@ TotalMomentum total_momentum(const Profile& profile, double length) {
         const Vector6& momentum = profile.momentum[k];
         const Vector3d p = momentum[3] * d3 + momentum[4] * d1 + momentum[5] * d2;
         const Vector3d pi = momentum[0] * d3 + momentum[1] * d1 + momentum[2] * d2;
-        total.linear += cell * p;
-        total.angular += cell * (pi + profile.position[k].cross(p));
+        total.linear += run.cell[k] * p;
+        total.angular += run.cell[k] * (pi + profile.position[k].cross(p));
     }
     return total;
 }
@@ -127,7 +125,7 @@ TEST(RodFlight, FlyingRodOfArcsKeepsTheMomentumThatItsLoadGaveItToSecondOrder) {
     // order, not to rounding.
     const auto errors = [](int segments) {
         const test::Run result = flying_rod(IntegratorKind::dormand_prince, segments);
-        const TotalMomentum total = total_momentum(result.end(), 10);
+        const TotalMomentum total = total_momentum(result, result.profiles.size() - 1);
         return Eigen::Vector2d((total.linear - linear_momentum).norm(),
                                (total.angular - angular_momentum).norm());
     };
@@ -144,9 +142,9 @@ TEST(RodFlight, FlyingRodOfDirectorsKeepsItsMomentumToRounding) {
     for (const int segments : {15, 30, 60}) {
         const test::Run result = flying_rod(IntegratorKind::leapfrog, segments);
         // the first profile after the load's end is that of 5 s
-        const TotalMomentum free = total_momentum(result.profiles.at(2), 10);
+        const TotalMomentum free = total_momentum(result, 2);
         for (std::size_t i = 2; i < result.profiles.size(); ++i) {
-            const TotalMomentum total = total_momentum(result.profiles[i], 10);
+            const TotalMomentum total = total_momentum(result, i);
             EXPECT_LT((total.linear - linear_momentum).norm(), 1e-11);
             EXPECT_LT((total.angular - free.angular).norm(), 1e-10);
         }
