@@ -75,26 +75,27 @@ Vector3d last_couple(const DirectorSnapshot& at, std::size_t k) {
            at.segments.row(SegmentRow::torque)[k] * t;
 }
 
-/// Stress in the middle of a segment, in its axes there: by the forces and couples on its ends. The
-/// middle of the beam-column lies h/8 (t_a - t_b)/X(z/16) beside that of the chord.
+Triple own_at(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t node) {
+    const Vector3d& curvature = segment.section.curvature;
+    return own_curvature(curvature[1], curvature[2], triple(Vector3d(at.frame[node].col(0))),
+                         triple(Vector3d(at.frame[node].col(1))));
+}
+
+/// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
+/// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
+/// wall, moments at its ends are larger and in its middle less.)
 Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const Vector3d turn =
-        at.rod.vector(DirectorRow::director, k) - at.rod.vector(DirectorRow::director, k + 1);
-    const Vector3d aside =
-        segment.length / 8 / hyperbolic_cotangent_ratio(segment.beam.load.value / 16) * turn;
+    const Triple own = combine(0.5, own_at(segment, at, k), 0.5, own_at(segment, at, k + 1));
+    const Vector3d bending = segment.section.bending_stiffness * (segment.bend - vector(own));
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
-    const Vector3d couple = 0.5 * (first_couple(at, k) - last_couple(at, k)) - aside.cross(pull);
     const Vector3d t =
         (1.5 * vector(segment.chord.along) - 0.5 * vector(segment.chord.mean)).normalized();
-    const auto middle = [&](Eigen::Index axis) {
-        const Vector3d d = 0.5 * (at.frame[k].col(axis) + at.frame[k + 1].col(axis));
-        return Vector3d((d - d.dot(t) * t).normalized());
-    };
-    const Vector3d d1 = middle(1);
+    const Vector3d across = at.frame[k].col(1) + at.frame[k + 1].col(1);
+    const Vector3d d1 = (across - across.dot(t) * t).normalized();
     const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << at.segments.row(SegmentRow::torque)[k], couple.dot(d1), couple.dot(d2), pull.dot(t),
+    stress << at.segments.row(SegmentRow::torque)[k], bending.dot(d1), bending.dot(d2), pull.dot(t),
         pull.dot(d1), pull.dot(d2);
     return stress;
 }
@@ -110,21 +111,17 @@ Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
     const SegmentStiffness& stiffness = segment.stiffness;
-    const Vector3d& curvature = segment.section.curvature;
-    const auto own = [&](std::size_t node) {
-        return own_curvature(curvature[1], curvature[2], triple(Vector3d(at.frame[node].col(0))),
-                             triple(Vector3d(at.frame[node].col(1))));
-    };
+    const Triple own_a = own_at(segment, at, k);
+    const Triple own_b = own_at(segment, at, k + 1);
     const double h = segment.length;
     const double theta = h * at.segments.row(SegmentRow::twist)[k];
     const Triple& turn = segment.arc.turn;
-    const double twist =
-        theta + stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
-        OwnCurvature::twist(stiffness, h, segment.chord, turn, own(k), own(k + 1)) -
-        h * curvature[0];
+    const double twist = theta + stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
+                         OwnCurvature::twist(stiffness, h, segment.chord, turn, own_a, own_b) -
+                         h * segment.section.curvature[0];
     const OwnCurvature shape(stiffness, h, node_triple(at, DirectorRow::director, k),
                              node_triple(at, DirectorRow::director, k + 1), segment.arc,
-                             segment.arc.factor(), segment.chord, theta, 0, own(k), own(k + 1));
+                             segment.arc.factor(), segment.chord, theta, 0, own_a, own_b);
     return h * (segment.beam.energy(stiffness) + 0.5 * stiffness.bending * segment.beam.bend2) +
            shape.energy + 0.5 * twist * twist / (h * stiffness.torsion_compliance(dot(turn, turn)));
 }
