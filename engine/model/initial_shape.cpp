@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "model/pose.hpp"
 #include "model/segment_strain.hpp"
@@ -208,6 +209,14 @@ std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state
     return strains;
 }
 
+/// Angle by which d1 of one frame is ahead of that of another, carried along by the shortest turn
+/// of d3; of all angles that say so, the one next to `about`.
+double twist_between(const Eigen::Matrix3d& first, const Eigen::Matrix3d& last, double about) {
+    const Eigen::Vector3d d1 = carried(first.col(1), first.col(0), last.col(0));
+    const double angle = std::atan2(d1.dot(-last.col(2)), d1.dot(last.col(1)));
+    return about + std::remainder(angle - about, 2 * std::numbers::pi);
+}
+
 bool lies_along_well(const Scene& scene, const InitialCase& initial) {
     // the search for equilibrium starts from there too
     return scene.well && initial.state != InitialState::stress_free;
@@ -232,18 +241,20 @@ InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial) {
             *scene.well, scene.mesh, head, beam_segment,
             [&](const InitialNodes& trial) { return beam_stretches(trial, scene.mesh); });
     }
-    // directors of the arcs, joined along their means by beam-columns as long as the segments
+    // nodes of the arcs, with chords of the lengths that beam-columns have
     InitialNodes nodes;
     nodes.position = {head.position};
-    for (const Pose& pose : poses_from_strains(head, scene.mesh.length, scene.initial_strain))
+    const std::vector<Pose> poses =
+        poses_from_strains(head, scene.mesh.length, scene.initial_strain);
+    for (const Pose& pose : poses)
         nodes.director.emplace_back(pose.frame.col(0));
     for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
-        const Eigen::Vector3d& first = nodes.director[k];
-        const Eigen::Vector3d& last = nodes.director[k + 1];
-        const Eigen::Vector3d mean = (first + last).normalized();
-        const double chord = scene.mesh.length[k] / arc_over_chord(mean, first, last);
-        nodes.position.push_back(nodes.position[k] + chord * mean);
-        nodes.twist.push_back(scene.initial_strain[k][0]);
+        const double h = scene.mesh.length[k];
+        const Eigen::Vector3d chord = (poses[k + 1].position - poses[k].position).normalized();
+        const double length = h / arc_over_chord(chord, nodes.director[k], nodes.director[k + 1]);
+        nodes.position.push_back(nodes.position[k] + length * chord);
+        nodes.twist.push_back(
+            twist_between(poses[k].frame, poses[k + 1].frame, h * scene.initial_strain[k][0]) / h);
     }
     return nodes;
 }
