@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include "model/pose.hpp"
 #include "model/segment_strain.hpp"
@@ -209,12 +208,33 @@ std::vector<Vector6> strains_without_well(const Scene& scene, InitialState state
     return strains;
 }
 
-/// Angle by which d1 of one frame is ahead of that of another, carried along by the shortest turn
-/// of d3; of all angles that say so, the one next to `about`.
-double twist_between(const Eigen::Matrix3d& first, const Eigen::Matrix3d& last, double about) {
-    const Eigen::Vector3d d1 = carried(first.col(1), first.col(0), last.col(0));
-    const double angle = std::atan2(d1.dot(-last.col(2)), d1.dot(last.col(1)));
-    return about + std::remainder(angle - about, 2 * std::numbers::pi);
+/// Curvature of a strain, in the section whose axes are the columns of `frame` (1/m).
+Eigen::Vector3d curvature_in(const Eigen::Matrix3d& frame, const Vector6& strain) {
+    return strain[1] * frame.col(1) + strain[2] * frame.col(2);
+}
+
+/// Directors of the arcs of given strains, joined by beam-columns of their length, deviation and
+/// twist (engine/rod/README.md, "Own shape"): nothing is stressed in a rod of that shape.
+InitialNodes free_nodes(const Scene& scene, const Pose& head) {
+    InitialNodes nodes;
+    nodes.position = {head.position};
+    nodes.director = {head.frame.col(0)};
+    const std::vector<Pose> pose =
+        poses_from_strains(head, scene.mesh.length, scene.initial_strain);
+    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
+        const double h = scene.mesh.length[k];
+        const Vector6& strain = scene.initial_strain[k];
+        const Eigen::Matrix3d& a = pose[k].frame;
+        const Eigen::Matrix3d& b = pose[k + 1].frame;
+        const Eigen::Vector3d mean = (a.col(0) + b.col(0)).normalized();
+        const Eigen::Vector3d change = curvature_in(b, strain) - curvature_in(a, strain);
+        const Eigen::Vector3d along = (mean + h / 12 * mean.cross(change)).normalized();
+        const double chord = h / arc_over_chord(along, a.col(0), b.col(0));
+        nodes.position.emplace_back(nodes.position[k] + chord * along);
+        nodes.director.emplace_back(b.col(0));
+        nodes.twist.push_back(strain[0] - along.dot(a.col(0).cross(b.col(0))) / h);
+    }
+    return nodes;
 }
 
 bool lies_along_well(const Scene& scene, const InitialCase& initial) {
@@ -241,22 +261,7 @@ InitialNodes initial_nodes(const Scene& scene, const InitialCase& initial) {
             *scene.well, scene.mesh, head, beam_segment,
             [&](const InitialNodes& trial) { return beam_stretches(trial, scene.mesh); });
     }
-    // nodes of the arcs, with chords of the lengths that beam-columns have
-    InitialNodes nodes;
-    nodes.position = {head.position};
-    const std::vector<Pose> poses =
-        poses_from_strains(head, scene.mesh.length, scene.initial_strain);
-    for (const Pose& pose : poses)
-        nodes.director.emplace_back(pose.frame.col(0));
-    for (std::size_t k = 0; k < scene.mesh.length.size(); ++k) {
-        const double h = scene.mesh.length[k];
-        const Eigen::Vector3d chord = (poses[k + 1].position - poses[k].position).normalized();
-        const double length = h / arc_over_chord(chord, nodes.director[k], nodes.director[k + 1]);
-        nodes.position.push_back(nodes.position[k] + length * chord);
-        nodes.twist.push_back(
-            twist_between(poses[k].frame, poses[k + 1].frame, h * scene.initial_strain[k][0]) / h);
-    }
-    return nodes;
+    return free_nodes(scene, head);
 }
 
 }  // namespace drillstrand

@@ -190,45 +190,64 @@ DRILLSTRAND_INLINE Triple own_curvature(double bend1, double bend2, const Triple
     return combine(bend1, d1, bend2, cross(t, d1));
 }
 
-/// A segment that is bent by itself: gradients (J) of the part of its energy that its own curvature
-/// changes, with the means over the segment of vectors that turn with its sections, from kappa_a at
-/// the one end to kappa_b at the other, Delta = kappa_b - kappa_a. With Theta = f a + h tau_f m:
+/// What an own curvature kappa, that turns with the sections from kappa_a to kappa_b, adds to the
+/// energy of a segment (engine/rod/README.md, "Own shape"): gradients, in J and N m. With
+/// Delta = kappa_b - kappa_a, v = m x Delta and eta = (kappa_a . t_b - kappa_b . t_a)/2,
 ///
-///     kappa = (kappa_a + kappa_b)/2 - Theta x Delta/12
-///     EI h |kb - kappa|^2/2 - k EI e . (m x Delta) + (k EI h/24) |m x Delta|^2
+///     - EI (1 + theta^2/12) f a . (kappa_a + kappa_b)/2 - k EI e . v - (EI^2 h/(12 GJ)) eta^2/2
+///     - (1 - k) (h theta^2/24) EI kappa^2
 ///
-/// where h/12 m x Delta is the chord's own deviation from the mean director.
-struct OwnShape {
-    Triple by_bend;   ///< by f a (N m)
-    double by_twist;  ///< by h tau_f (N m)
-    Triple by_chord;  ///< by e (J)
-    Triple by_mean;   ///< by m (J)
-    Triple by_first;  ///< by kappa_a (N m2)
-    Triple by_last;   ///< by kappa_b (N m2)
+/// where theta = h tau_f is the angle between the sections at its ends.
+struct OwnCurvature {
+    Triple by_first, by_last;          ///< by t_a, t_b
+    Triple by_mean;                    ///< by m
+    Triple by_chord;                   ///< by e
+    Triple by_own_first, by_own_last;  ///< by kappa_a, kappa_b (N m2)
+    double by_twist;                   ///< by theta
+    double energy;                     ///< J, from that of the unstressed segment on
 
-    /// `ei`: EI (N m2); `bend`: f a; `twist`: h tau_f.
-    DRILLSTRAND_INLINE OwnShape(double ei, double share, double h, const Triple& bend, double twist,
-                                const SegmentChord& chord, const Triple& own_a,
-                                const Triple& own_b) {
-        const Triple& m = chord.mean;
+    /// What h tau gains by the segment's own deviation, (1 - k) (h/12) v . a, where shear takes
+    /// part of the chord's (rad).
+    DRILLSTRAND_INLINE static double twist(const SegmentStiffness& k, double h,
+                                           const SegmentChord& chord, const Triple& turn,
+                                           const Triple& own_a, const Triple& own_b) {
         const Triple change = combine(1.0, own_b, -1.0, own_a);
-        const Triple turn = combine(1.0, bend, twist, m);
-        const Triple mean =
-            combine(1.0, combine(0.5, own_a, 0.5, own_b), -1.0 / 12.0, cross(turn, change));
-        const Triple moment = combine(ei / h, bend, -ei, mean);
-        const Triple by_turn = scaled(h * (1.0 / 12.0), cross(change, moment));
-        const Triple aside = cross(m, change);
-        const Triple by_aside =
-            combine(-share * ei, chord.along, share * ei * h * (1.0 / 12.0), aside);
-        const Triple by_change =
-            combine(h * (1.0 / 12.0), cross(moment, turn), 1.0, cross(by_aside, m));
+        return (1.0 - k.bending_share) * h * (1.0 / 12.0) * dot(cross(chord.mean, change), turn);
+    }
 
-        by_bend = combine(1.0, moment, 1.0, by_turn);
-        by_twist = dot(m, by_turn);
-        by_chord = scaled(-share * ei, aside);
-        by_mean = combine(twist, by_turn, 1.0, cross(change, by_aside));
-        by_first = combine(-0.5 * h, moment, -1.0, by_change);
-        by_last = combine(-0.5 * h, moment, 1.0, by_change);
+    /// `torque`: GJ times the elastic twist (N m).
+    DRILLSTRAND_INLINE OwnCurvature(const SegmentStiffness& k, double h, const Triple& ta,
+                                    const Triple& tb, const SegmentBend& arc, double factor,
+                                    const SegmentChord& chord, double theta, double torque,
+                                    const Triple& own_a, const Triple& own_b) {
+        const double ei = k.bending * h * h;
+        const double held = k.bending_share * ei;
+        const double sheared = (1.0 - k.bending_share) * h * (1.0 / 12.0);
+        const double weight = ei * (1.0 + theta * theta * (1.0 / 12.0));
+        const Triple& a = arc.turn;
+        const Triple own = combine(0.5, own_a, 0.5, own_b);
+        const Triple change = combine(1.0, own_b, -1.0, own_a);
+        const Triple aside = cross(chord.mean, change);
+        const double along = dot(a, own);
+
+        const Triple by_aside = combine(sheared * torque, a, -held, chord.along);
+        const Triple by_turn = combine(sheared * torque, aside, -weight * factor, own);
+        const double by_cosine = -weight * arc.slope(factor) * along;
+        const double eta = 0.5 * (dot(own_a, tb) - dot(own_b, ta));
+        const double by_eta = ei * ei * h * (-1.0 / 24.0) * k.twisting * eta;
+        const double own2 = dot(own_a, own_a);
+        const Triple by_change = cross(by_aside, chord.mean);
+        const Triple by_own = scaled(-0.5 * weight * factor, a);
+
+        by_first = combine(1.0, combine(by_cosine, tb, -by_eta, own_b), 1.0, cross(tb, by_turn));
+        by_last = combine(1.0, combine(by_cosine, ta, by_eta, own_a), 1.0, cross(by_turn, ta));
+        by_mean = cross(change, by_aside);
+        by_chord = scaled(-held, aside);
+        by_own_first = combine(1.0, combine(1.0, by_own, by_eta, tb), -1.0, by_change);
+        by_own_last = combine(1.0, combine(1.0, by_own, -by_eta, ta), 1.0, by_change);
+        by_twist = ei * (-1.0 / 6.0) * theta * (factor * along + 6.0 * sheared * own2);
+        energy = 0.5 * ei * own2 * (h - sheared * theta * theta) - weight * factor * along -
+                 held * dot(chord.along, aside) + by_eta * eta;
     }
 };
 

@@ -67,9 +67,4 @@ struct StabilityCurvatures {
     };
 };
 
-/// X(y) = sqrt(y) coth sqrt(y).
-[[nodiscard]] inline double hyperbolic_cotangent_ratio(double y) {
-    return 1.0 + StabilityFunctions(4.0 * y).symmetric + y * (1.0 / 3.0);
-}
-
 }  // namespace drillstrand

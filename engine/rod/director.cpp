@@ -202,36 +202,36 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
                                          swept_area(a_node.last_t[k], b_node.last_t[k], tb, ta));
         const double share = stiffness.bending_share;
         double strain = twist + share * ih * twist_of_deviation(chord, a);
-        if constexpr (curved) strain -= c.twist0[k];
+        Triple own_a{};
+        Triple own_b{};
+        if constexpr (curved) {
+            own_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
+            own_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
+            strain += ih * OwnCurvature::twist(stiffness, h, chord, a, own_a, own_b) - c.twist0[k];
+        }
         const double strain_torque = strain / stiffness.torsion_compliance(sine2);
 
         // gradients of the energy by D and by both directors
         const Triple& e = chord.along;
         const double twisting = strain_torque * share;
         Triple by_chord = scaled(twisting, a);
-        const double bend_moment = curved ? beam.moment : beam.moment + stiffness.bending;
         const double bending =
-            h * (bend_moment * factor -
+            h * ((beam.moment + stiffness.bending) * factor -
                  strain_torque * strain_torque * stiffness.bent_twisting * arc.cosine);
         Triple by_mean = scaled(-h * beam.shearing, chord.deviation);
         Triple first_lean = combine(bending, tb, twisting, cross(e, tb));
         Triple last_lean = combine(bending, ta, twisting, cross(ta, e));
         double torque = strain_torque;
         if constexpr (curved) {
-            const Triple own_a = own_curvature(c.bend10[k], c.bend20[k], ta, a_node.d1[k]);
-            const Triple own_b = own_curvature(c.bend10[k], c.bend20[k], tb, b_node.d1[k]);
-            const double ei = stiffness.bending * h * h;
-            const OwnShape own(ei, share, h, scaled(factor, a), h * twist, chord, own_a, own_b);
-            const double along = arc.slope(factor) * dot(own.by_bend, a);
-            const Triple turn = combine(-along, tb, factor, cross(own.by_bend, tb));
-            first_lean = combine(1.0, first_lean, 1.0, turn);
-            last_lean =
-                combine(1.0, last_lean, 1.0, combine(-along, ta, factor, cross(ta, own.by_bend)));
+            const OwnCurvature own(stiffness, h, ta, tb, arc, factor, chord, h * twist,
+                                   strain_torque, own_a, own_b);
+            first_lean = combine(1.0, first_lean, -1.0, own.by_first);
+            last_lean = combine(1.0, last_lean, -1.0, own.by_last);
             by_chord = combine(1.0, by_chord, 1.0, own.by_chord);
             by_mean = combine(1.0, by_mean, 1.0, own.by_mean);
             torque += own.by_twist;
-            out.first_couple.set(k, cross(own.by_first, own_a));
-            out.last_couple.set(k, cross(own.by_last, own_b));
+            out.first_couple.set(k, cross(own.by_own_first, own_a));
+            out.last_couple.set(k, cross(own.by_own_last, own_b));
         }
         const Triple pull =
             combine(1.0, beam.pull(chord), ih * chord.inverse_ratio, without(by_chord, e));

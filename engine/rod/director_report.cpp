@@ -75,44 +75,55 @@ Vector3d last_couple(const DirectorSnapshot& at, std::size_t k) {
            at.segments.row(SegmentRow::torque)[k] * t;
 }
 
-/// Stress in the middle of a segment, in its axes there: by the forces and couples on its ends. The
-/// middle of the beam-column lies h/8 (t_a - t_b)/X(z/16) beside that of the chord.
+Triple own_at(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t node) {
+    const Vector3d& curvature = segment.section.curvature;
+    return own_curvature(curvature[1], curvature[2], triple(Vector3d(at.frame[node].col(0))),
+                         triple(Vector3d(at.frame[node].col(1))));
+}
+
+/// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
+/// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
+/// wall, moments at its ends are larger and in its middle less.)
 Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const Vector3d turn =
-        at.rod.vector(DirectorRow::director, k) - at.rod.vector(DirectorRow::director, k + 1);
-    const Vector3d aside =
-        segment.length / 8 / hyperbolic_cotangent_ratio(segment.beam.load.value / 16) * turn;
+    const Triple own = combine(0.5, own_at(segment, at, k), 0.5, own_at(segment, at, k + 1));
+    const Vector3d bending = segment.section.bending_stiffness * (segment.bend - vector(own));
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
-    const Vector3d couple = 0.5 * (first_couple(at, k) - last_couple(at, k)) - aside.cross(pull);
     const Vector3d t =
         (1.5 * vector(segment.chord.along) - 0.5 * vector(segment.chord.mean)).normalized();
-    const auto middle = [&](Eigen::Index axis) {
-        const Vector3d d = 0.5 * (at.frame[k].col(axis) + at.frame[k + 1].col(axis));
-        return Vector3d((d - d.dot(t) * t).normalized());
-    };
-    const Vector3d d1 = middle(1);
+    const Vector3d across = at.frame[k].col(1) + at.frame[k + 1].col(1);
+    const Vector3d d1 = (across - across.dot(t) * t).normalized();
     const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << at.segments.row(SegmentRow::torque)[k], couple.dot(d1), couple.dot(d2), pull.dot(t),
+    stress << at.segments.row(SegmentRow::torque)[k], bending.dot(d1), bending.dot(d2), pull.dot(t),
         pull.dot(d1), pull.dot(d2);
     return stress;
 }
 
+/// Moment that the rod bears at a node (N m): the mean of what the segments at it bear there.
+Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std::size_t node) {
+    const std::size_t last = string.model.segments;
+    if (node == 0) return first_couple(at, 0);
+    if (node == last) return -last_couple(at, last - 1);
+    return 0.5 * (first_couple(at, node) - last_couple(at, node - 1));
+}
+
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const SectionProperties& section = segment.section;
-    const auto own = [&](std::size_t node) {
-        return vector(own_curvature(section.curvature[1], section.curvature[2],
-                                    triple(Vector3d(at.frame[node].col(0))),
-                                    triple(Vector3d(at.frame[node].col(1)))));
-    };
-    const double torque = at.segments.row(SegmentRow::torque)[k];
-    const double bending = (segment.bend - 0.5 * (own(k) + own(k + 1))).squaredNorm();
-    return segment.length *
-           (segment.beam.energy(segment.stiffness) + 0.5 * section.bending_stiffness * bending +
-            0.5 * torque * torque *
-                segment.stiffness.torsion_compliance(dot(segment.arc.turn, segment.arc.turn)));
+    const SegmentStiffness& stiffness = segment.stiffness;
+    const Triple own_a = own_at(segment, at, k);
+    const Triple own_b = own_at(segment, at, k + 1);
+    const double h = segment.length;
+    const double theta = h * at.segments.row(SegmentRow::twist)[k];
+    const Triple& turn = segment.arc.turn;
+    const double twist = theta + stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
+                         OwnCurvature::twist(stiffness, h, segment.chord, turn, own_a, own_b) -
+                         h * segment.section.curvature[0];
+    const OwnCurvature shape(stiffness, h, node_triple(at, DirectorRow::director, k),
+                             node_triple(at, DirectorRow::director, k + 1), segment.arc,
+                             segment.arc.factor(), segment.chord, theta, 0, own_a, own_b);
+    return h * (segment.beam.energy(stiffness) + 0.5 * stiffness.bending * segment.beam.bend2) +
+           shape.energy + 0.5 * twist * twist / (h * stiffness.torsion_compliance(dot(turn, turn)));
 }
 
 }  // namespace
@@ -280,6 +291,7 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         momentum[0] = at.rod.row(DirectorRow::spin)[k];
         momentum = momentum.cwiseProduct(inertia_of(scene, k, fluid_mass_at(at.wall, k)));
         profile.director.emplace_back(at.frame[k].col(0));
+        profile.moment.emplace_back(to_body * moment_at(string, at, k));
         profile.momentum.push_back(momentum);
     }
     report_wall(string.scene, profile, string.model.surroundings, at.wall);

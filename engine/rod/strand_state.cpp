@@ -193,6 +193,21 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     return record;
 }
 
+namespace {
+
+/// Segments bear one moment all along: at a node the mean of its neighbours'.
+std::vector<Eigen::Vector3d> moments_at_nodes(const std::vector<Vector6>& stress) {
+    std::vector<Eigen::Vector3d> moment;
+    for (std::size_t k = 0; k <= stress.size(); ++k) {
+        const Vector6& above = stress[k > 0 ? k - 1 : 0];
+        const Vector6& below = stress[std::min(k, stress.size() - 1)];
+        moment.emplace_back(0.5 * (above.head<3>() + below.head<3>()));
+    }
+    return moment;
+}
+
+}  // namespace
+
 Profile profile_record(const StrandString& string, const StrandState& state) {
     Profile profile;
     profile.time = state.clock.time;
@@ -203,6 +218,7 @@ Profile profile_record(const StrandString& string, const StrandState& state) {
         profile.momentum.push_back(momentum_of(state.rod, k));
     }
     profile.stress = stresses(string, state.rod);
+    profile.moment = moments_at_nodes(profile.stress);
     report_wall(string.scene, profile, string.model.surroundings, state.wall);
     return profile;
 }

@@ -78,6 +78,11 @@ bool Imbalance::is_rounding() const {
     return true;
 }
 
+double Imbalance::least_energy_change() const {
+    constexpr double part = 1e-12;
+    return std::max(part * energy_sum, energy_rounding);
+}
+
 /// Each of two positions is known to eps |x| / 2, a director to eps: a chord of h to r = eps (|x| +
 /// h), its strain and deviation to r / h. Pull follows with EA, or 12 EI / h^2 of a stocky segment,
 /// couples with an arm of h at most, bending and torsion with EI / h and GJ / h; a wall with its

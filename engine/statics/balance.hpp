@@ -45,6 +45,8 @@ struct Imbalance {
 
     /// Whether nothing is left out of balance but what rounding leaves.
     [[nodiscard]] bool is_rounding() const;
+    /// Energies that differ by less than this differ by rounding (J).
+    [[nodiscard]] double least_energy_change() const;
 };
 
 /// Wall on a node, per length as reports show it.
@@ -58,6 +60,7 @@ class Balance {
     Balance(const Scene& scene, const LoadCase& loads);
 
     [[nodiscard]] const LoadCase& loads() const { return loads_; }
+    [[nodiscard]] RodSegment segment(const RodState& state, std::size_t k) const;
     void set_loads(const LoadCase& loads);
 
     /// From now on friction is what it is at this state, as dead forces, until it is set free.
@@ -78,7 +81,6 @@ class Balance {
     [[nodiscard]] std::vector<WallReport> walls(const RodState& state);
 
   private:
-    [[nodiscard]] RodSegment segment(const RodState& state, std::size_t k) const;
     [[nodiscard]] const WellArc* arc(std::size_t node, const Eigen::Vector3d& position);
     [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
     void add_rounding(const RodState& state, std::size_t segment, double pull,

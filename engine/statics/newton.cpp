@@ -15,8 +15,6 @@ using Eigen::Vector3d;
 constexpr double settled = 1e-6;
 constexpr double least_bed = 1e-3;
 constexpr double most_bed = 1e12;
-// Energies that differ by less than this part of the sum of their parts differ by rounding.
-constexpr double rounding = 1e-12;
 
 double dot(const NodeMotion& a, const NodeMotion& b) {
     double sum = 0;
@@ -77,9 +75,13 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
     }
 }
 
-/// One step on the bed, judged by the energy; the stiffness is that of `state`.
+/// One step on the bed, judged by the energy; the stiffness is that of `state`. The bed holds the
+/// string across the well alone, so that a step which is too long along it is cut: the arcs of a
+/// limp string that is pulled are soft until they are flat.
 Newton::Downhill Newton::downhill(const RodState& state, const Imbalance& now, double bed) const {
     constexpr double too_far = 4;
+    constexpr double held = 0.01;
+    constexpr double least_scale = 1e-6;
     Downhill step;
     const BlockFactors factors = factors_on_bed(bed);
     if (!factors.is_positive_definite()) return step;
@@ -88,19 +90,29 @@ Newton::Downhill Newton::downhill(const RodState& state, const Imbalance& now, d
     step.verdict = Verdict::too_far;
     if (!std::isfinite(step.far) || (scene_.well && step.far > too_far)) return step;
 
-    const double scale = std::min(1.0, 1 / step.far);
     const Work done = work(now.force, motion, bed);
+    double scale = std::min(1.0, 1 / step.far);
+    take(step, state, now, motion, done, scale);
+    while (step.verdict == Verdict::uphill && step.far < held && scale > least_scale) {
+        scale *= 0.25;
+        take(step, state, now, motion, done, scale);
+    }
+    return step;
+}
+
+/// The part `scale` of a motion, which does work as `done` says.
+void Newton::take(Downhill& step, const RodState& state, const Imbalance& now,
+                  const NodeMotion& motion, const Work& done, double scale) const {
     const double predicted = scale * done.force - 0.5 * scale * scale * (done.force - done.bed);
     step.state = stepped(state, motion, scale);
     step.imbalance = balance_.imbalance(*step.state);
     const double gain =
         now.energy - step.imbalance.energy + loose_work(now, step.imbalance, motion, scale);
-    const bool in_rounding = predicted < std::max(rounding * now.energy_sum, now.energy_rounding);
+    const bool in_rounding = predicted < now.least_energy_change();
     step.verdict = in_rounding || gain > 0.1 * predicted ? Verdict::taken : Verdict::uphill;
     if (scale == 1) step.size = size(motion);
     step.is_small = step.size < settled;
     step.is_as_predicted = scale == 1 && (in_rounding || gain > 0.5 * predicted);
-    return step;
 }
 
 SearchOutcome Newton::descend(RodState& state, double bed) {

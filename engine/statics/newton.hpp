@@ -54,7 +54,14 @@ class Newton {
         bool is_small = false;
         bool is_as_predicted = false;
     };
+    /// What a motion does, to first and second order, with the bed.
+    struct Work {
+        double force;  ///< of the forces out of balance (J)
+        double bed;    ///< twice the energy in the bed (J)
+    };
     [[nodiscard]] Downhill downhill(const RodState& state, const Imbalance& now, double bed) const;
+    void take(Downhill& step, const RodState& state, const Imbalance& now, const NodeMotion& motion,
+              const Work& done, double scale) const;
     static double harder(const Downhill& step);
 
     struct Correction {
@@ -70,14 +77,8 @@ class Newton {
                                    double scale) const;
     [[nodiscard]] double reach(const NodeMotion& motion) const;
     [[nodiscard]] double size(const NodeMotion& motion) const;
-    [[nodiscard]] bool is_spent() const { return iterations_ >= budget_; }
-
-    /// What a motion does, to first and second order, with the bed.
-    struct Work {
-        double force;  ///< of the forces out of balance (J)
-        double bed;    ///< twice the energy in the bed (J)
-    };
     [[nodiscard]] Work work(const NodeMotion& force, const NodeMotion& motion, double bed) const;
+    [[nodiscard]] bool is_spent() const { return iterations_ >= budget_; }
 
     const Scene& scene_;
     Balance& balance_;

@@ -1,9 +1,10 @@
 #include "statics/rod_segment.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "model/segment_strain.hpp"
+#include "statics/bend_factor.hpp"
+#include "statics/own_shape.hpp"
 #include "statics/skew.hpp"
 
 namespace drillstrand {
@@ -14,9 +15,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Matrix36 = Eigen::Matrix<double, 3, 6>;  // by the rotations of both nodes
 using Row6 = Eigen::Matrix<double, 1, 6>;
-// chord D = (x_b - x_a)/h and directors: (D, t_a, t_b)
-using Vector9 = Eigen::Matrix<double, 9, 1>;
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 Matrix36 beside(const Matrix3d& left, const Matrix3d& right) {
     Matrix36 both;
@@ -24,27 +22,7 @@ Matrix36 beside(const Matrix3d& left, const Matrix3d& right) {
     return both;
 }
 
-/// f = b / sin b of the cosine of b, and its derivatives by that cosine; unlike the rod's own, for
-/// any angle, since iterates may bend by more than they will.
-struct BendFactor {
-    double f, slope, curve;
-};
-
-BendFactor bend_factor(double cosine, double sine2) {
-    if (sine2 < 1e-4 && cosine > 0) {
-        // series in s = sin b: f = asin(s) / s, d/dc = -(c / s) d/ds
-        const double u = 1.0 / 3 + sine2 * (3.0 / 10 + sine2 * (15.0 / 56 + sine2 * (35.0 / 144)));
-        const double du = 3.0 / 5 + sine2 * (15.0 / 14 + sine2 * (35.0 / 24));
-        const double f = 1 + sine2 * (1.0 / 6 + sine2 * (3.0 / 40 + sine2 * (5.0 / 112)));
-        return {f, -cosine * u, -u + cosine * cosine * du};
-    }
-    const double sine = std::sqrt(sine2);
-    const double f = std::atan2(sine, cosine) / sine;
-    const double slope = (f * cosine - 1) / sine2;
-    return {f, slope, (f + 3 * cosine * slope) / sine2};
-}
-
-/// Bending: a = t_a x t_b, moment M = EI (f a / h - kappa).
+/// How far the directors bend: a = t_a x t_b, cos b, f.
 struct Bend {
     explicit Bend(const RodSegment& s)
         : ta(s.a.director),
@@ -53,39 +31,17 @@ struct Bend {
           turn(vector(arc.turn)),
           cosine(arc.cosine),
           factor(bend_factor(cosine, turn.squaredNorm())),
-          own_a(own_at(s, s.a)),
-          own_b(own_at(s, s.b)),
-          stiffness(s.section->bending_stiffness),
-          length(s.length),
-          moment(stiffness * (factor.f / length * turn - 0.5 * (own_a + own_b))) {}
-
-    static Vector3d own_at(const RodSegment& s, const SegmentEnd& end) {
-        const Vector3d& own = s.section->curvature;
-        return vector(own_curvature(own[1], own[2], triple(end.director), triple(end.material)));
-    }
+          length(s.length) {}
 
     Vector3d ta, tb;
     SegmentBend arc;
     Vector3d turn;
     double cosine;
-    BendFactor factor;
-    Vector3d own_a, own_b;
-    double stiffness, length;
-    Vector3d moment;
-
-    [[nodiscard]] Vector3d common() const {
-        return factor.f * cosine * moment - factor.slope * moment.dot(turn) * turn;
-    }
-    [[nodiscard]] Vector3d on_a() const {
-        return common() - factor.f * moment.dot(ta) * tb + 0.5 * length * own_a.cross(moment);
-    }
-    [[nodiscard]] Vector3d on_b() const {
-        return -common() + factor.f * moment.dot(tb) * ta + 0.5 * length * own_b.cross(moment);
-    }
-    [[nodiscard]] double energy() const { return 0.5 * length * moment.squaredNorm() / stiffness; }
+    BendFactor<double> factor;
+    double length;
 };
 
-/// Axial force, and what it and shear do to bending: W of README.md, "Segment", less torsion.
+/// The beam-column of a straight rod, less torsion: README.md, "Segment".
 struct Column {
     Column(const RodSegment& s, const Bend& bend)
         : length(s.length),
@@ -95,7 +51,8 @@ struct Column {
           beam(stiffness, chord, bend.factor.f * bend.factor.f * bend.turn.squaredNorm()),
           along(vector(chord.along)),
           mean(vector(chord.mean)),
-          size(1 / bend.arc.inverse_both()) {}
+          size(1 / bend.arc.inverse_both()),
+          moment(stiffness.bending + beam.moment) {}
 
     double length;
     SegmentStiffness stiffness;
@@ -103,32 +60,43 @@ struct Column {
     BeamColumn beam;
     Vector3d along, mean;  // e, m
     double size;           // |p|
+    double moment;         // B
 
     [[nodiscard]] Vector3d off_chord() const { return mean - chord.cosine * along; }
     [[nodiscard]] Vector3d off_mean() const { return vector(chord.deviation); }
-    [[nodiscard]] double energy() const { return length * beam.energy(stiffness); }
+    [[nodiscard]] double energy() const {
+        return length * (beam.energy(stiffness) + 0.5 * stiffness.bending * beam.bend2);
+    }
 };
 
-/// Torsion: torque T; twist h tau carried, and k chi of the deviation.
+/// Torsion: torque T = X/Q of what the segment is twisted, hX = h (tau_f - tau0) + k chi + own.
 struct Torsion {
-    Torsion(const RodSegment& s, const Bend& bend, const Column& column)
+    Torsion(const RodSegment& s, const Bend& bend, const Column& column, double own_twist)
         : length(s.length),
-          stiffness(s.section->torsional_stiffness),
           share(column.stiffness.bending_share),
           deviation(twist_of_deviation(column.chord, bend.arc.turn)),
-          torque(stiffness * (s.twist + share * deviation / length - s.section->curvature[0])),
+          softening(column.stiffness.bent_twisting),
+          compliance(column.stiffness.torsion_compliance(bend.turn.squaredNorm())),
+          torque((s.twist - s.section->curvature[0] + (share * deviation + own_twist) / length) /
+                 compliance),
+          by_cosine(length * softening * bend.cosine * torque * torque),
           inverse_one(bend.arc.inverse_one),
           axis(inverse_one * (bend.ta + bend.tb)) {}
 
-    double length, stiffness;
-    double share;      // k
-    double deviation;  // chi
+    double length;
+    double share;       // k
+    double deviation;   // chi
+    double softening;   // s
+    double compliance;  // Q
     double torque;
+    double by_cosine;  // derivative of the energy by cos b
     double inverse_one;
     Vector3d axis;  // (t_a + t_b) / (1 + cos b)
 
-    [[nodiscard]] double energy() const { return 0.5 * length * torque * torque / stiffness; }
+    [[nodiscard]] double energy() const { return 0.5 * length * torque * torque * compliance; }
 };
+
+// In the following, vectors of nine are by chord D = (x_b - x_a)/h and directors: (D, t_a, t_b).
 
 /// Derivatives of chi = e . (t_a x t_b).
 Vector9 gradient_of_chi(const Bend& bend, const Column& column, const Torsion& torsion) {
@@ -139,10 +107,10 @@ Vector9 gradient_of_chi(const Bend& bend, const Column& column, const Torsion& t
     return gradient;
 }
 
-/// Derivatives of W (J): what chord and directors feel of the column and of chi.
+/// Derivatives of the energy (J) by chord and directors, the frames' own twist held.
 Vector9 gradient_of_energy(const Bend& bend, const Column& column, const Torsion& torsion) {
     const BeamColumn& beam = column.beam;
-    const double bending = beam.moment * bend.factor.f;
+    const double bending = column.moment * bend.factor.f - torsion.by_cosine / column.length;
     const Vector3d shearing = beam.shearing / column.size * column.off_mean();
     Vector9 gradient;
     gradient << vector(beam.pull(column.chord)), -bending * bend.tb - shearing,
@@ -232,11 +200,11 @@ Matrix3d hessian_by_scalars(const Bend& bend, const Column& column) {
     hessian(1, 0) -= beam.tension * f / 12;
     hessian(0, 2) -= beam.tension / 5;
     hessian(2, 0) -= beam.tension / 5;
-    hessian(1, 1) -= beam.moment * bend.factor.slope;
+    hessian(1, 1) -= column.moment * bend.factor.slope;
     return hessian;
 }
 
-/// Second derivatives of W (J), with torsion at a given torque.
+/// Second derivatives of the energy (J), with torsion at a given torque.
 Matrix9 hessian_of_energy(const Bend& bend, const Column& column, const Torsion& torsion) {
     const BeamColumn& beam = column.beam;
     const Vector3d none = Vector3d::Zero();
@@ -251,7 +219,8 @@ Matrix9 hessian_of_energy(const Bend& bend, const Column& column, const Torsion&
         beam.shearing * hessian_of_mu(column);
     hessian.topLeftCorner<3, 3>() +=
         beam.tension * beam.stretching * column.chord.inverse_ratio * normal_to(column.along);
-    const Matrix3d turning = -beam.moment * bend.factor.f * Matrix3d::Identity();
+    const Matrix3d turning =
+        (torsion.by_cosine / column.length - column.moment * bend.factor.f) * Matrix3d::Identity();
     hessian.block<3, 3>(3, 6) += turning;
     hessian.block<3, 3>(6, 3) += turning;
     return column.length * hessian + torsion.torque * torsion.share * hessian_of_chi(bend, column);
@@ -279,49 +248,15 @@ Matrix9 by_motion(Matrix9 hessian, const Bend& bend) {
     return hessian;
 }
 
-/// How the couples of bending without axial force change with the rotations of the nodes.
-struct CoupleTangent {
-    Matrix36 on_a, on_b;
-};
-
-CoupleTangent couple_tangent(const Bend& bend) {
-    const Matrix3d sa = skew(bend.ta);
-    const Matrix3d sb = skew(bend.tb);
-    const Matrix3d none = Matrix3d::Zero();
-    const double h = bend.length;
-    const double f = bend.factor.f;
-    const double slope = bend.factor.slope;
-    const double c = bend.cosine;
-    const Vector3d& m = bend.moment;
-    const Vector3d& a = bend.turn;
-
-    const Matrix36 dta = beside(-sa, none);
-    const Matrix36 dtb = beside(none, -sb);
-    const Matrix36 da = beside(sb * sa, -sa * sb);
-    Row6 dc;
-    dc << a.transpose(), -a.transpose();
-    const Matrix3d own_a = skew(bend.own_a);
-    const Matrix3d own_b = skew(bend.own_b);
-    const Matrix36 dm = bend.stiffness * ((slope / h) * a * dc + (f / h) * da +
-                                          beside(Matrix3d(0.5 * own_a), Matrix3d(0.5 * own_b)));
-
-    // derivative of f c M - f' (M . a) a
-    const double ma = m.dot(a);
-    const Row6 dma = a.transpose() * dm + m.transpose() * da;
-    const Matrix36 common = m * ((slope * c + f) * dc) + f * c * dm -
-                            a * (bend.factor.curve * ma * dc + slope * dma) - slope * ma * da;
-    const double along_a = m.dot(bend.ta);
-    const double along_b = m.dot(bend.tb);
-    const Row6 dalong_a = bend.ta.transpose() * dm + m.transpose() * dta;
-    const Row6 dalong_b = bend.tb.transpose() * dm + m.transpose() * dtb;
-    const Matrix3d sm = skew(m);
-
-    CoupleTangent d;
-    d.on_a = common - bend.tb * (slope * along_a * dc + f * dalong_a) - f * along_a * dtb +
-             0.5 * h * (beside(sm * own_a, none) + own_a * dm);
-    d.on_b = -common + bend.ta * (slope * along_b * dc + f * dalong_b) + f * along_b * dta +
-             0.5 * h * (beside(none, sm * own_b) + own_b * dm);
-    return d;
+/// Second derivatives of the energy of torsion (J) through twist and cos b, of given gradients.
+Matrix9 hessian_of_torsion(const Bend& bend, const Torsion& torsion, const Vector9& twist,
+                           const Vector9& cosine) {
+    // dT = (d(hX)/h + softer dcos b) / Q
+    const double softer = 2 * torsion.softening * bend.cosine * torsion.torque;
+    const Vector9 torque = (twist / torsion.length + softer * cosine) / torsion.compliance;
+    return twist * torque.transpose() + torsion.length * softer * cosine * torque.transpose() +
+           torsion.length * torsion.softening * torsion.torque * torsion.torque * cosine *
+               cosine.transpose();
 }
 
 /// How the axis of torsion turns with the rotations of the nodes.
@@ -345,40 +280,50 @@ SegmentTangent by_nodes(const Matrix9& k) {
 
 }  // namespace
 
+double segment_load(const RodSegment& s) {
+    return Column(s, Bend(s)).beam.load.value;
+}
+
 SegmentForces segment_forces(const RodSegment& s) {
     const Bend bend(s);
     const Column column(s, bend);
-    const Torsion torsion(s, bend, column);
+    const OwnShape own(s);
+    const Torsion torsion(s, bend, column, own.twist());
     const Vector9 gradient = gradient_of_energy(bend, column, torsion);
     const Vector3d pull = gradient.head<3>() / s.length;
     const Vector3d twisting = torsion.torque * torsion.axis;
     SegmentForces forces;
-    forces.on_a << pull, gradient.segment<3>(3).cross(bend.ta) + bend.on_a() + twisting;
-    forces.on_b << -pull, gradient.tail<3>().cross(bend.tb) + bend.on_b() - twisting;
-    forces.energy = column.energy() + bend.energy() + torsion.energy();
+    forces.on_a << pull, gradient.segment<3>(3).cross(bend.ta) + twisting;
+    forces.on_b << -pull, gradient.tail<3>().cross(bend.tb) - twisting;
+    forces.energy = column.energy() + torsion.energy();
+    own.add_to(forces, torsion.torque);
     return forces;
 }
 
 SegmentTangent segment_tangent(const RodSegment& s) {
     const Bend bend(s);
     const Column column(s, bend);
-    const Torsion torsion(s, bend, column);
+    const OwnShape own(s);
+    const Torsion torsion(s, bend, column, own.twist());
     const Vector9 gradient = gradient_of_energy(bend, column, torsion);
-    Vector9 twist =  // h tau by the motion of the nodes
-        torsion.share * by_motion(gradient_of_chi(bend, column, torsion), bend);
+    Vector9 cosine;  // cos b by the motion of the nodes
+    cosine << Vector3d::Zero(), bend.turn, -bend.turn;
+    Vector9 twist =  // hX, likewise
+        torsion.share * by_motion(gradient_of_chi(bend, column, torsion), bend) +
+        own.gradient_of_twist();
     twist.segment<3>(3) -= torsion.axis;
     twist.tail<3>() += torsion.axis;
 
     Matrix9 tangent = -by_motion(hessian_of_energy(bend, column, torsion), bend) -
-                      torsion.stiffness / s.length * twist * twist.transpose();
+                      hessian_of_torsion(bend, torsion, twist, cosine);
     // forces on directors act where these have turned to
     tangent.block<3, 3>(3, 3) -= skew(gradient.segment<3>(3)) * skew(bend.ta);
     tangent.block<3, 3>(6, 6) -= skew(gradient.tail<3>()) * skew(bend.tb);
 
-    const CoupleTangent couple = couple_tangent(bend);
     const Matrix36 turning = torsion.torque * axis_tangent(bend, torsion);
-    tangent.block<3, 6>(3, 3) += couple.on_a + turning;
-    tangent.block<3, 6>(6, 3) += couple.on_b - turning;
+    tangent.block<3, 6>(3, 3) += turning;
+    tangent.block<3, 6>(6, 3) -= turning;
+    own.add_to(tangent, torsion.torque);
     return by_nodes(tangent);
 }
 

@@ -10,6 +10,8 @@
 namespace drillstrand {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector9 = Eigen::Matrix<double, 9, 1>;
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 /// A node as its segments see it.
 struct SegmentEnd {
@@ -38,6 +40,9 @@ struct SegmentForces {
 struct SegmentTangent {
     Matrix6 aa, ab, ba, bb;  ///< force on the first by motion of the second letter
 };
+
+/// z: axial force over EI/h^2.
+double segment_load(const RodSegment& segment);
 
 SegmentForces segment_forces(const RodSegment& segment);
 SegmentTangent segment_tangent(const RodSegment& segment);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "drillstrand/error.hpp"
 
@@ -39,6 +40,22 @@ void EquilibriumSearch::run() {
         settle_in_well();
     else
         settle_free();
+    refuse_folded_segments();
+}
+
+/// A segment that bears more than a half wave of its own is no beam-column any more.
+void EquilibriumSearch::refuse_folded_segments() const {
+    constexpr double half_wave = std::numbers::pi * std::numbers::pi;
+    for (std::size_t k = 0; k < state_.twist.size(); ++k) {
+        const RodSegment segment = balance_.segment(state_, k);
+        const double load = segment_load(segment);
+        if (load > -half_wave) continue;
+        const double unit = segment.section->bending_stiffness / (segment.length * segment.length);
+        throw SimulationError(
+            fmt::format("a segment of {:.3g} m, {:.1f} m along the string, carries a compression "
+                        "of {:.3g} N, but {:.3g} N buckle it between its nodes; use a finer mesh",
+                        segment.length, scene_.mesh.segment_s[k], -load * unit, half_wave * unit));
+    }
 }
 
 LoadCase EquilibriumSearch::loads_at(Stage stage, double factor) const {
@@ -184,15 +201,20 @@ void EquilibriumSearch::look_for_buckling() {
     balance_.set_loads(loads_at(Stage::bit, 1));
 }
 
-/// From a state that is not stable downhill to one that is.
+/// From a state that is not stable downhill to one that is, or from which nothing falls further: a
+/// column that has bent to one side may turn to any other, and rounding decides whether it is firm.
 void EquilibriumSearch::fall_to_stable() {
     constexpr int tries = 5;
+    Imbalance saddle = balance_.imbalance(state_);
     for (int i = 0; i < tries; ++i) {
         newton_.leave_saddle(state_);
         const SearchOutcome outcome = newton_.descend(state_, 1);
-        stable_ = outcome == SearchOutcome::converged;
-        if (stable_) return;
         if (outcome == SearchOutcome::failed) fail();
+        const Imbalance now = balance_.imbalance(state_);
+        stable_ = outcome == SearchOutcome::converged ||
+                  saddle.energy - now.energy < now.least_energy_change();
+        if (stable_) return;
+        saddle = now;
     }
     warnings_.emplace_back("the equilibrium found is not stable");
 }

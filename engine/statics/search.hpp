@@ -43,6 +43,7 @@ class EquilibriumSearch {
     void report_buckling(Stage stage, RodState state, double sound, double unsound);
     void look_for_buckling();
     void fall_to_stable();
+    void refuse_folded_segments() const;
     [[noreturn]] void fail();
 
     const Scene& scene_;

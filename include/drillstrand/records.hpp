@@ -72,6 +72,7 @@ struct Profile {
     std::vector<Eigen::Vector3d> director;  ///< nodes, d3
     std::vector<Vector6> momentum;          ///< nodes, per length, body axes (d3, d1, d2)
     std::vector<Vector6> stress;            ///< segments, body axes
+    std::vector<Eigen::Vector3d> moment;    ///< nodes, N m, body axes: twist moment, bending 1, 2
     std::vector<double> eccentricity;       ///< nodes, m; 0 without a well
     std::vector<double> well_depth;         ///< nodes, m; 0 without a well
     std::vector<double> fluid_mass;  ///< nodes, kg/m: fluid that moves sideways with the pipe

@@ -65,6 +65,7 @@ SHAPES = {
     "/profiles/director": (2, 8, 3),
     "/profiles/momentum": (2, 8, 6),
     "/profiles/stress": (2, 7, 6),
+    "/profiles/moment": (2, 8, 3),
     "/profiles/eccentricity": (2, 8),
     "/profiles/well_depth": (2, 8),
     "/profiles/contact_force": (2, 8, 3),

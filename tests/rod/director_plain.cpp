@@ -150,27 +150,31 @@ Number energy_of(const Scene& scene, const PlainRod& rod, std::size_t k) {
     by_rotation.segment<3>(9) = axis / h;
     const Number frame_twist(rod.twist[k], by_rotation);
 
-    // means over the segment of vectors that turn with its sections, and the chord's own deviation
+    // what the own curvature, turning with the sections, adds
     const Vector own_a = own_of(a, 3);
     const Vector own_b = own_of(b, 9);
-    const Vector own_change = own_b - own_a;
-    const Vector turn = (bend + frame_twist * mean) * Number(h);
-    const Vector own_bend = (own_a + own_b) / Number(2) - turn.cross(own_change) / Number(12);
-    const Vector own_deviation = mean.cross(own_change) * Number(h / 12);
-    const Vector elastic_bend = bend - own_bend;
+    const Number theta = frame_twist * h;
+    const Vector own_aside = mean.cross(Vector(own_b - own_a));
+    const Number own_twisting = (own_a.dot(tb) - own_b.dot(ta)) / 2.0;
+    const double own2 = own[1] * own[1] + own[2] * own[2];
+    const Number own_energy =
+        ei * (h / 2 * own2 * (1.0 - (1 - share) * theta * theta / 12.0) -
+              h * (1.0 + theta * theta / 12.0) * bend.dot(own_a + own_b) / 2.0 -
+              share * e.dot(own_aside)) -
+        ei * ei * h / (24 * section.torsional_stiffness) * own_twisting * own_twisting;
 
     // twist of the frames and of the cubic between the nodes
-    const Number twist = frame_twist - own[0] + share / h * e.dot(ta.cross(tb));
+    const Number twist = frame_twist - own[0] + share / h * e.dot(ta.cross(tb)) +
+                         (1 - share) / 12 * own_aside.dot(ta.cross(tb));
 
     // a torque shears a bent segment
     const Number compliance =
         1 / section.torsional_stiffness +
         ta.cross(tb).squaredNorm() / (h * h * section.shear_stiffness + 12 * ei);
-    return h *
-           (ei / (h * h) *
-                ((z * free - z * z / 2.0) / slenderness + (symmetric - 1.0) * b2 / 2.0 +
-                 6 * share * ((antisymmetric - 1.0) * phi2 + (off - own_deviation).squaredNorm())) +
-            ei / 2 * elastic_bend.squaredNorm() + twist * twist / compliance / 2.0);
+    return own_energy + h * (ei / (h * h) *
+                                 ((z * free - z * z / 2.0) / slenderness + symmetric * b2 / 2.0 +
+                                  6 * share * antisymmetric * phi2) +
+                             twist * twist / compliance / 2.0);
 }
 
 /// Adds a segment's elastic forces to its end nodes.

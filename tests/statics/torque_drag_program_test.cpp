@@ -120,8 +120,8 @@ TEST_F(TorqueDragProgram, PrintsTablesAndWritesFiles) {
 TEST_F(TorqueDragProgram, DepthWithoutEquilibriumIsADashAndAWarning) {
     // turned while it is wound up in a vertical hole
     const Ending ending =
-        run("case.toml --csv out.csv --set bit.weight='\"60 kN\"' --set 'torque_drag.depths=[250, "
-            "900]' "
+        run("case.toml --csv out.csv --set bit.weight='\"60 kN\"' --set mesh.element_length=10 "
+            "--set 'torque_drag.depths=[250, 900]' "
             "--set 'torque_drag.motions=[\"rotating\", \"drilling\"]'");
     EXPECT_EQ(ending.code, 0);
     EXPECT_THAT(ending.text,

@@ -137,6 +137,8 @@ TEST(TorqueDrag, InStraightInclinedWellHasTheLoadsOfABodyOnASlope) {
 TEST(TorqueDrag, NeutralPointOfVerticalStringIsWhereTheWeightBelowIsThatOnTheBit) {
     Case input = case_in(vertical(1000), 0.2);
     input.bit.weight = ScalarSchedule(4e3);
+    // above the last segment, of whose weight a part hangs on the node above
+    input.mesh.segments = 200;
     input.torque_drag.depths = {400, 1000};
     const TorqueDrag study = compute_torque_drag(input);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -185,9 +187,10 @@ TEST(TorqueDrag, ProfileAgreesWithHookLoadTorqueAndSectionOfThePipe) {
 }
 
 TEST(TorqueDrag, FlagsCompressionPastTheLimits) {
-    // horizontal, sliding: 217.5 kN snake, 307.5 kN wind up
+    // horizontal, sliding: 217.5 kN snake, 307.5 kN wind up; 171 kN buckle a segment of 10 m
     const double level = 90 * degree;
     Case input = case_in({{0, level, 0}, {300, level, 0}}, 0.1);
+    input.mesh.segments = 200;
     input.torque_drag.motions = {Motion::sliding};
     input.torque_drag.depths = {300};
     const auto state = [&](double weight_on_bit) {

@@ -10,7 +10,7 @@ import numpy as np
 
 NODES, SEGMENTS = 3, 2
 PROFILES = {"position": (NODES, 3), "director": (NODES, 3), "momentum": (NODES, 6),
-            "stress": (SEGMENTS, 6), "eccentricity": (NODES,), "well_depth": (NODES,),
+            "stress": (SEGMENTS, 6), "moment": (NODES, 3), "eccentricity": (NODES,), "well_depth": (NODES,),
             "contact_force": (NODES, 3), "normal_force": (NODES,)}
 SERIES = {"head_stress": (6,), "bit_stress": (6,), "head_position": (3,), "bit_position": (3,)}
 NUMBERS = ["head_rotation_rate", "bit_rotation_rate", "kinetic_energy", "elastic_energy",
