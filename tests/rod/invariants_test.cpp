@@ -149,6 +149,9 @@ TEST_P(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
     const Case input = loaded_rod(20, choice());
     const Scene scene = build_scene(input);
     const test::Run straight = test::run(scene, input.run, input.output);
+    double stress = 0;  // the rod starts with none but rounding of its stiffness
+    for (const Profile& profile : straight.profiles)
+        stress = std::max(stress, test::largest_stress(profile));
     std::mt19937 random(5);
     std::normal_distribution<double> gauss;
     for (int trial = 0; trial < 3; ++trial) {
@@ -172,7 +175,6 @@ TEST_P(Objectivity, SceneTurnedInSpaceGivesTheTurnedMotion) {
         for (std::size_t i = 0; i < found.profiles.size(); ++i) {
             const Profile& a = straight.profiles[i];
             const Profile& b = found.profiles[i];
-            const double stress = test::largest_stress(a);
             for (std::size_t k = 0; k < a.position.size(); ++k) {
                 EXPECT_LT((b.position[k] - turn * a.position[k] - shift).norm(), 1e-9);
                 EXPECT_LT((b.director[k] - turn * a.director[k]).norm(), 1e-9);

@@ -70,6 +70,17 @@ threads = 1
                        duration);
 }
 
+double stretch_by_cubics(const std::vector<HangingPart>& parts, double h) {
+    double stretch = -parts.back().weight * h * h / (12 * parts.back().stiffness);
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const HangingPart& upper = parts[i - 1];
+        const HangingPart& lower = parts[i];
+        stretch += (lower.weight - upper.weight) * h * h / 24 *
+                   (1 / upper.stiffness + 1 / lower.stiffness);
+    }
+    return stretch;
+}
+
 std::string list(const Eigen::Vector3d& v) {
     return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
 }

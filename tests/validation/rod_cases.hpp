@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "support/both_integrators.hpp"
 #include "support/run_case.hpp"
@@ -35,6 +36,18 @@ std::string section_component(const Section& section, const std::string& more = 
 /// [mesh] and [run] tables. Validation goes where no pipe would last: no stress limit.
 std::string mesh_and_run(IntegratorKind integrator, int segments, bool segment_inertia,
                          double duration);
+
+/// A part of a string that hangs: its weight (N/m) and EA (N).
+struct HangingPart {
+    double weight;
+    double stiffness;
+};
+
+/// By how much (m) the leapfrog's string of such parts, joined at nodes of a mesh of segments of
+/// length h (m), stretches more than exactly. Cubics move (q_2 - q_1) h/24 of the weight from the
+/// node above a joint to the one below it, and q h/12 from the bit to the node above it:
+/// engine/model/README.md, "Lumping".
+double stretch_by_cubics(const std::vector<HangingPart>& parts, double h);
 
 /// Lists of numbers as TOML has them.
 std::string list(const Eigen::Vector3d& v);

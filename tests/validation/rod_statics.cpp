@@ -36,18 +36,24 @@ double heavy_cantilever_error(IntegratorKind integrator, int segments) {
     return (tip_at_rest(heavy_cantilever(integrator, segments)) - exact).norm();
 }
 
-TEST_P(RodStatics, CantileverUnderItsOwnWeightConvergesAtSecondOrderToTheExactTip) {
-    // measured: 4.06, 1.01, 0.254 mm; the paper reports first order
+TEST_P(RodStatics, CantileverUnderItsOwnWeightConvergesToTheExactTip) {
     const double coarse = heavy_cantilever_error(integrator(), 8);
     const double middle = heavy_cantilever_error(integrator(), 16);
     const double fine = heavy_cantilever_error(integrator(), 32);
-    EXPECT_NEAR(std::log2(coarse / middle), 2, 0.05);
-    EXPECT_NEAR(std::log2(middle / fine), 2, 0.05);
-    EXPECT_LT(fine, 0.3e-3);
+    if (is_leapfrog()) {
+        EXPECT_NEAR(std::log2(coarse / middle), 4, 0.1) << coarse << ' ' << middle;
+        EXPECT_LT(middle, 1e-5);
+        EXPECT_LT(fine, 1e-6);
+    } else {
+        // measured: 4.06, 1.01, 0.254 mm; the paper reports first order
+        EXPECT_NEAR(std::log2(coarse / middle), 2, 0.05);
+        EXPECT_NEAR(std::log2(middle / fine), 2, 0.05);
+        EXPECT_LT(fine, 0.3e-3);
+    }
 }
 
-TEST_P(RodStatics, CantileverOf64SegmentsSagsToWithinATenthOfAMillimetre) {
-    EXPECT_LT(heavy_cantilever_error(integrator(), 64), 0.1e-3);
+TEST_P(RodStatics, CantileverOf64SegmentsSagsToWithinATenthOfAMillimetreOrAMicrometre) {
+    EXPECT_LT(heavy_cantilever_error(integrator(), 64), is_leapfrog() ? 1e-6 : 0.1e-3);
 }
 
 Vector3d pulled_cantilever_tip(IntegratorKind integrator, double load, int segments) {
@@ -73,7 +79,10 @@ TEST_P(RodStatics, DeadTipForceBendsThePipeAsTheExactElasticaWithShearAndStretch
             (pulled_cantilever_tip(integrator(), pull.load, 12) - pull.tip).norm();
         const double fine = (pulled_cantilever_tip(integrator(), pull.load, 24) - pull.tip).norm();
         EXPECT_LT(fine, pull.within) << "load " << pull.load;
-        EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << "load " << pull.load;
+        if (is_leapfrog())
+            EXPECT_LT(fine, pull.within / 1000) << "load " << pull.load;
+        else
+            EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << "load " << pull.load;
     }
 }
 
@@ -123,21 +132,27 @@ TEST_P(RodStatics, BatheAndBolourchisCurvedCantileverIsPulledOutOfItsPlaneToTheE
     }
     const double coarse = (tip(600, 15) - pulls[2].tip).norm();
     const double fine = (tip(600, 30) - pulls[2].tip).norm();
-    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
+    if (is_leapfrog()) {
+        EXPECT_LT(coarse, 2.1e-4);
+        EXPECT_LT(fine, 1.1e-4);
+    } else {
+        EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
+    }
 }
 
 // A dead couple M along x and z holds a rod of equal stiffnesses, clamped along x, in a helix: x =
 // integral of exp(s M/EI x) e1. The couple, fixed in space, feeds energy into some motions, so that
 // this rest is not stable (Ziegler) and a straight rod never finds it, however damped. Let go in
 // the helix, without damping, it must stay there: axial waves pass the rod twenty times. On arcs
-// the closed form is at rest on every mesh, on directors joined by chords a helix that tends to it.
+// the closed form is at rest on every mesh, on beam-columns to fourth order in their length.
 struct Couple {
     double moment;  // along x and along z (N m)
     Vector3d tip;   // closed form (m)
+    double away;    // from there in 2 s at most, on 30 beam-columns (m)
 };
 const Couple couples[] = {
-    {50, {5.501240626379335, 0.2946520936915577, 4.498759373620664}},
-    {62.8318530718, {5.288826199284144, 1.478721456412797, 4.711173800715854}}};
+    {50, {5.501240626379335, 0.2946520936915577, 4.498759373620664}, 1.3e-3},
+    {62.8318530718, {5.288826199284144, 1.478721456412797, 4.711173800715854}, 5.2e-3}};
 
 Case coupled_rod(IntegratorKind integrator, int segments, double moment) {
     const Section section{.length = 10,
@@ -164,48 +179,18 @@ TEST(RodStatics, DeadEndCoupleHoldsARodOfEqualStiffnessesInAHelixOfArcs) {
     }
 }
 
-/// Lays the directors on the cone around the couple on which each segment's bending and torsion
-/// balance it: they turn by an angle psi about it from node to node. Torsion does so with the
-/// closed form's twist, as every director meets the couple at the same angle.
-void lay_in_helix(Scene& scene, double moment, double bending) {
-    const Vector3d couple(moment, 0, moment);
-    const double h = scene.mesh.length.front();
-    const auto turned = [&](const Vector3d& t, double psi) {
-        return Vector3d(Eigen::AngleAxis<double>(psi, couple.normalized()) * t);
-    };
-    const auto excess = [&](double psi) {  // of bending over the couple's part across the segment
-        const Vector3d first = Vector3d::UnitX();
-        const Vector3d axis = first.cross(turned(first, psi));
-        const double angle = std::atan2(axis.norm(), first.dot(turned(first, psi)));
-        return bending * angle / h - couple.dot(axis.normalized());
-    };
-    double low = 1e-3;
-    double high = 1;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        (excess(middle) > 0 ? high : low) = middle;
-    }
-    InitialNodes& nodes = scene.initial_nodes;
-    for (std::size_t k = 0; k < nodes.twist.size(); ++k) {
-        nodes.director[k + 1] = turned(nodes.director[k], low);
-        nodes.position[k + 1] =
-            nodes.position[k] + h * (nodes.director[k] + nodes.director[k + 1]).normalized();
-    }
-}
-
-TEST(RodStatics, DeadEndCoupleHoldsARodOfEqualStiffnessesInAHelixOfDirectors) {
+TEST(RodStatics, DeadEndCoupleHoldsARodOfEqualStiffnessesInAHelixOfBeamColumns) {
     for (const Couple& couple : couples) {
-        std::vector<double> error;
-        for (const int segments : {30, 60}) {
-            const Case input = coupled_rod(IntegratorKind::leapfrog, segments, couple.moment);
-            Scene scene = build_scene(input);
-            lay_in_helix(scene, couple.moment, 100);
-            const Vector3d start = scene.initial_nodes.position.back();
-            for (const SeriesRecord& record : run(scene, input.run, input.output).series)
-                EXPECT_LT((record.bit_position - start).norm(), 1e-8) << couple.moment;
-            error.push_back((start - couple.tip).norm());
+        std::vector<double> away;
+        for (const int segments : {15, 30}) {
+            const test::Run result =
+                run(coupled_rod(IntegratorKind::leapfrog, segments, couple.moment));
+            away.push_back(0);
+            for (const SeriesRecord& record : result.series)
+                away.back() = std::max(away.back(), (record.bit_position - couple.tip).norm());
         }
-        EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.05) << couple.moment;
+        EXPECT_LT(away[1], couple.away) << couple.moment;
+        EXPECT_NEAR(std::log2(away[0] / away[1]), 4, 0.1) << couple.moment;
     }
 }
 
@@ -219,10 +204,13 @@ double hanging_depth(IntegratorKind integrator, const std::string& components, i
 }
 
 TEST_P(RodStatics, RodOfAKilometreStretchesUnderItsWeightByWLSquaredOver2EAOnEveryMesh) {
-    // tension in the middle of a segment is the weight below it, so that no mesh error is left
+    // tension in the middle of a segment is the weight below it, so that no mesh error is left but
+    // for the weight that cubics move
+    const HangingPart pipe{31.8557 * 9.81, 816814089.9333467};
     for (const int segments : {1, 7, 20}) {
+        const double moved = is_leapfrog() ? stretch_by_cubics({pipe}, 1000.0 / segments) : 0;
         EXPECT_NEAR(hanging_depth(integrator(), table_3_pipe(1000), segments, 500),
-                    1000 + 0.1912947027061573, 1e-7)
+                    1000 + 0.1912947027061573 + moved, 1e-7)
             << segments << " segments";
     }
 }
@@ -242,8 +230,13 @@ TEST_P(RodStatics, HangingStringOfTwoComponentsStretchesByTheSumOfTheirParts) {
     const double lower_stretch = lower_mass * g * lower_length * lower_length / 2 / lower_stiffness;
     const double exact = 1000 + upper_stretch + lower_stretch;
     const std::string components = table_3_pipe(upper_length) + table_4_pipe(lower_length);
-    EXPECT_NEAR(hanging_depth(integrator(), components, 20, 600), exact, 1e-7);
-    EXPECT_NEAR(hanging_depth(integrator(), components, 7, 600), exact, 2e-3 * (exact - 1000));
+    const HangingPart upper{upper_mass * g, upper_stiffness};
+    const HangingPart lower{lower_mass * g, lower_stiffness};
+    const double moved = is_leapfrog() ? stretch_by_cubics({upper, lower}, 1000.0 / 20) : 0;
+    EXPECT_NEAR(hanging_depth(integrator(), components, 20, 600), exact + moved, 1e-7);
+    const double moved_at_bit = is_leapfrog() ? stretch_by_cubics({lower}, 1000.0 / 7) : 0;
+    EXPECT_NEAR(hanging_depth(integrator(), components, 7, 600), exact + moved_at_bit,
+                2e-3 * (exact - 1000));
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "drillstrand/drill_string.hpp"
-#include "support/both_integrators.hpp"
-#include "support/run_case.hpp"
+#include "validation/rod_cases.hpp"
 
 namespace drillstrand {
 namespace {
@@ -167,13 +166,16 @@ TEST_P(SteppedString, HangsAndBearsALoadWithTheStretchOfItsParts) {
     // closed form: each part by half of its own weight and by all below; joints lie on nodes
     double below = 2e5;
     double depth = 0;
+    std::vector<HangingPart> parts;
     for (auto part = input.string.components.rbegin(); part != input.string.components.rend();
          ++part) {
         const SectionProperties section = section_properties(*part, 1);
         const double weight = section.mass * input.gravity * part->length;
         depth += part->length * (1 + (below + weight / 2) / section.axial_stiffness);
         below += weight;
+        parts.insert(parts.begin(), {section.mass * input.gravity, section.axial_stiffness});
     }
+    if (is_leapfrog()) depth += stretch_by_cubics(parts, 1000.0 / input.mesh.segments);
     EXPECT_NEAR(run(input).last().bit_position.z(), depth, 1e-7);
 }
 
@@ -262,8 +264,14 @@ TEST_P(SteppedString, CantileverOfThreePartsBendsAsItsStiffnessesSay) {
         const Deflection d = stepped_cantilever(integrator(), 8, 6, segments);
         error.push_back(d.found / d.exact - 1);
     }
-    EXPECT_LT(std::abs(error[1]), 1e-3);
-    EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.1) << error[0] << ' ' << error[1];
+    if (is_leapfrog()) {
+        // Hermite's cubics are exact under loads on nodes: what is left is the bend's own, 1e-3^2
+        for (const double miss : error)
+            EXPECT_LT(std::abs(miss), 1e-6);
+    } else {
+        EXPECT_LT(std::abs(error[1]), 1e-3);
+        EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.1) << error[0] << ' ' << error[1];
+    }
     // joints inside segments
     const Deflection between = stepped_cantilever(integrator(), 8.3, 5.9, 24);
     EXPECT_NEAR(between.found / between.exact, 1, 3e-3);

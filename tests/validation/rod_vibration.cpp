@@ -111,6 +111,21 @@ void expect_second_order(const std::array<double, count>& exact, const Frequenci
     }
 }
 
+/// Likewise at `order` or better, with errors on the finer mesh of no more than `within`.
+template <std::size_t count, class Frequencies>
+void expect_order(const std::array<double, count>& exact, const Frequencies& frequencies,
+                  int coarse_segments, double order, const std::array<double, count>& within) {
+    const std::array<double, count> coarse = frequencies(coarse_segments);
+    const std::array<double, count> fine = frequencies(2 * coarse_segments);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double coarse_error = coarse[i] / exact[i] - 1;
+        const double fine_error = fine[i] / exact[i] - 1;
+        EXPECT_GT(std::log2(coarse_error / fine_error), order)
+            << "mode " << i + 1 << ", errors " << coarse_error << ' ' << fine_error;
+        EXPECT_LT(std::abs(fine_error), within[i]) << "mode " << i + 1;
+    }
+}
+
 /// The first frequencies of a cantilever along x after a tap, each looked for within a tenth.
 template <std::size_t count>
 std::array<double, count> frequencies_after_tap(const std::string& rod,
@@ -130,17 +145,24 @@ std::array<double, count> frequencies_after_tap(const std::string& rod,
 
 TEST_P(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
     // exact: transfer matrices in multiple precision, shear coefficient 1 (Hz)
-    std::array<double, 3> exact = {0.23437231261569863, 1.4685681558197319, 4.111047292563714};
+    std::array<double, 4> exact = {0.23437231261569874, 1.4685681558197325, 4.111047292563715,
+                                   8.053190562794628};
     for (double& f : exact)
         f *= 2 * pi;
-    // measured: -0.46, -1.6 and -2.6 over the square of the number of segments
-    expect_second_order(
-        exact,
-        [&](int segments) {
-            return frequencies_after_tap(table_2_pipe(), exact,
+    const auto frequencies = [](const auto& expected) {
+        return [&](int segments) {
+            return frequencies_after_tap(table_2_pipe(), expected,
                                          mesh_and_run(integrator(), segments, true, 30), 10);
-        },
-        7, 2e-3);
+        };
+    };
+    if (is_leapfrog()) {
+        EXPECT_NEAR(frequencies(exact)(8)[0] / exact[0], 1, 1e-3);
+        expect_order(exact, frequencies(exact), 8, 2.7, {1.1e-4, 1.2e-3, 3.1e-3, 6.1e-3});
+    } else {
+        // measured: -0.46, -1.6 and -2.6 over the square of the number of segments
+        const std::array<double, 3> first = {exact[0], exact[1], exact[2]};
+        expect_second_order(first, frequencies(first), 7, 2e-3);
+    }
 }
 
 /// A beam of unit length, mass and bending stiffness, as thick as I/(A L2) = 0.0025 makes it.
@@ -154,7 +176,7 @@ Section thick_beam(double shear) {
             .shear = shear};
 }
 
-TEST_P(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
+TEST_P(RodVibration, ThickBeamVibratesAtTimoshenkosFrequencies) {
     struct Beam {
         double shear;
         std::array<double, 3> exact;  // rad/s, exact characteristic equation
@@ -165,20 +187,20 @@ TEST_P(RodVibration, ThickBeamVibratesAtTimoshenkosFrequenciesAtSecondOrder) {
         // nu = 0, k = 1
         {200, {3.456659448153444, 19.784716817135653, 49.55755187604857}}};
     for (const Beam& beam : beams) {
-        expect_second_order(
-            beam.exact,
-            [&](int segments) {
-                return frequencies_after_tap(section_component(thick_beam(beam.shear)), beam.exact,
-                                             mesh_and_run(integrator(), segments, false, 30), 1e-3);
-            },
-            15, 5e-4);
+        const auto frequencies = [&](int segments) {
+            return frequencies_after_tap(section_component(thick_beam(beam.shear)), beam.exact,
+                                         mesh_and_run(integrator(), segments, false, 30), 1e-3);
+        };
+        if (is_leapfrog())
+            expect_order(beam.exact, frequencies, 15, 2.3, {1.5e-5, 2.1e-4, 8e-4});
+        else
+            expect_second_order(beam.exact, frequencies, 15, 5e-4);
     }
 }
 
 TEST_P(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
     // independent: Chebyshev collocation of the tensioned beam, 100 m of table 3 pipe, g = 9.81
     const std::array<double, 3> exact = {0.394717, 1.042393, 2.102437};
-    // measured: -0.53, -3.5 and -6.1 over the square of the number of segments
     const auto frequencies = [&](int segments) {
         const test::Run result = run("gravity = 9.81\n" + table_3_pipe(100) +
                                      mesh_and_run(integrator(), segments, true, 120) +
@@ -189,7 +211,12 @@ TEST_P(RodVibration, HangingPipeSwingsAtTheFrequenciesOfATensionedBeam) {
             found[i] = strongest_frequency(signal, 0.85 * exact[i], 1.15 * exact[i]);
         return found;
     };
-    expect_second_order(exact, frequencies, 10, 2e-3);
+    if (is_leapfrog()) {
+        expect_order(exact, frequencies, 10, 3, {4e-5, 7e-4, 1.8e-3});
+    } else {
+        // measured: -0.53, -3.5 and -6.1 over the square of the number of segments
+        expect_second_order(exact, frequencies, 10, 2e-3);
+    }
 }
 
 TEST_P(RodVibration, SpinSplitsTheFrequencyOfAShaftIntoForwardAndBackwardWhirl) {
@@ -238,6 +265,16 @@ TEST_P(RodVibration, UndampedPipeFallsAndSwingsAsAnIndependentSolutionDoes) {
         }
         return error;
     };
+    if (is_leapfrog()) {
+        // Beam-columns and cubics are of fourth order; what is left on fine meshes is the rotary
+        // inertia of the nodes, which is that of the pipe where h is below 0.2 m.
+        constexpr std::size_t two_seconds = 3;
+        EXPECT_LT(errors(8)[two_seconds], 5.3e-3);
+        EXPECT_LT(errors(16)[two_seconds], 2.2e-3);
+        for (const double error : errors(46))
+            EXPECT_LT(error, 1e-3);
+        return;
+    }
     const std::vector<double> coarse = errors(23);
     const std::vector<double> fine = errors(46);
     for (std::size_t i = 0; i < fine.size(); ++i) {
