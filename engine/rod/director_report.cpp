@@ -86,7 +86,10 @@ Triple own_at(const ReportedSegment& segment, const DirectorSnapshot& at, std::s
 /// wall, moments at its ends are larger and in its middle less.)
 Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const Triple own = combine(0.5, own_at(segment, at, k), 0.5, own_at(segment, at, k + 1));
+    // mean of a vector that turns with the sections by theta from end to end
+    const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
+    const double mean = 0.5 * (1.0 + theta * theta / 12.0);
+    const Triple own = combine(mean, own_at(segment, at, k), mean, own_at(segment, at, k + 1));
     const Vector3d bending = segment.section.bending_stiffness * (segment.bend - vector(own));
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
     const Vector3d t =

@@ -148,9 +148,9 @@ TEST(SegmentRates, BoundThoseOfUniformPipes) {
     for (const int segments : {1, 2, 12}) {
         for (const double length : {2.0, 80.0}) {
             Case input = pipe(length, segments);
-            expect_bound(input, 0, 0.94);
+            expect_bound(input, 0, 0.92);
             input.head.motion = HeadMotion::free;
-            expect_bound(input, 0, 0.94);
+            expect_bound(input, 0, 0.92);
         }
     }
 }
