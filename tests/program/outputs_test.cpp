@@ -26,7 +26,7 @@ diameter = 0.25
 [string]
 components = "bha.csv"
 [mesh]
-element_length = 40
+element_length = 20
 [bit]
 weight = "20 kN"
 [contact]

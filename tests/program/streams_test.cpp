@@ -22,7 +22,7 @@ inner_diameter = 0.12
 linear_density = 31.8557
 youngs_modulus = "200 GPa"
 [mesh]
-element_length = 40
+element_length = 20
 [torque_drag]
 depths = [500]
 [run]

@@ -96,7 +96,7 @@ class HostileFiles(unittest.TestCase):
         shutil.copytree(cls.source / "cases" / "data", cls.folder / "data")
         for case in ["well1.toml", "buckling_heavy.toml"]:
             shutil.copy(cls.source / "cases" / case, cls.folder)
-        settings = ["--set", "mesh.segments=9"]
+        settings = ["--set", "mesh.segments=18"]
         cls.make("run", "well1.toml", "-o", "sound.h5", "--quiet", *settings,
                  "--set", "run.duration=0.1", "--set", "output.profile_interval=0.05",
                  "--set", "output.interval=0.01", "--set", "output.checkpoint_interval=1e-9")
