@@ -146,11 +146,13 @@ void expect_bound(const Case& input, double tension, double sharpness) {
 
 TEST(SegmentRates, BoundThoseOfUniformPipes) {
     for (const int segments : {1, 2, 12}) {
+        // the heavy node between two segments serves both in the bound
+        const double sharpness = segments == 2 ? 0.92 : 0.94;
         for (const double length : {2.0, 80.0}) {
             Case input = pipe(length, segments);
-            expect_bound(input, 0, 0.92);
+            expect_bound(input, 0, sharpness);
             input.head.motion = HeadMotion::free;
-            expect_bound(input, 0, 0.92);
+            expect_bound(input, 0, sharpness);
         }
     }
 }

@@ -1,12 +1,16 @@
 /// Strings pressed until they buckle in a straight hole, against the classical loads, pitch and
 /// wall force; and the wall under the bit.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "drillstrand/scene.hpp"
@@ -189,6 +193,49 @@ TEST(WeightlessString, WindsToAHelixOfLubinskisPitchAndWallForce) {
     EXPECT_NEAR(2 * pi * count * h / std::abs(turned), pitch, 0.02 * pitch);
     const double wall_force = clearance * force * force / (4 * bending_stiffness);
     EXPECT_NEAR(pressed / count, wall_force, 0.02 * wall_force);
+}
+
+/// The paper's vertical string under a weight on bit, on segments of 5 m, at rest.
+test::Run vertical_string(const char* weight_on_bit) {
+    return run(read_case(
+        std::filesystem::path(DRILLSTRAND_SOURCE_DIR) / "cases" / "vertical_resolved.toml",
+        {{"mesh.element_length", "5"},
+         {"bit.weight", fmt::format("[[5, 0], [45, \"{}\"]]", weight_on_bit)},
+         {"run.threads", "1"}}));
+}
+
+/// Turns about the axis of the lowest 200 m.
+double turns_above_bit(const Profile& profile, double h) {
+    double turned = 0;
+    const std::vector<Vector3d>& x = profile.position;
+    for (std::size_t k = x.size() - std::lround(200 / h); k < x.size(); ++k) {
+        const Vector3d& a = x[k - 1];
+        const Vector3d& b = x[k];
+        turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+    }
+    return std::abs(turned) / (2 * pi);
+}
+
+/// Mean force of the wall (N/m) from 25 to 125 m above the bit.
+double wall_force_above_bit(const Profile& profile, double h) {
+    const auto bit = static_cast<std::ptrdiff_t>(profile.normal_force.size()) - 1;
+    const auto first = profile.normal_force.begin() + bit - std::lround(125 / h) + 1;
+    const auto last = profile.normal_force.begin() + bit - std::lround(25 / h);
+    return std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
+}
+
+TEST(VerticalString, WindsAndLeansOnTheWallOnLongSegmentsAsOnShortOnes) {
+    struct Wound {
+        const char* load;
+        double turns;       // on segments of 0.7 m
+        double wall_force;  // likewise (N/m)
+    };
+    for (const Wound& fine : {Wound{"50 kN", 2.508, 5.12}, Wound{"100 kN", 4.714, 36.8}}) {
+        const Profile end = vertical_string(fine.load).end();
+        EXPECT_NEAR(turns_above_bit(end, 5), fine.turns, 0.03 * fine.turns) << fine.load;
+        EXPECT_NEAR(wall_force_above_bit(end, 5), fine.wall_force, 0.03 * fine.wall_force)
+            << fine.load;
+    }
 }
 
 }  // namespace
