@@ -53,7 +53,7 @@ def rows_of(path, memory):
         profile_time, director = file["profiles/time"][:], file["profiles/director"][:]
     moments = series["time"]
     # the contact springs' is part of the elastic one
-    stored = sum(series[f"{kind}_energy"] for kind in ("kinetic", "elastic", "potential"))
+    stored = sum(series[f"{kind}_energy"] for kind in ("kinetic", "half_step", "elastic", "potential"))
     appeared = stored + series["dissipation"] - series["work"]
     error = np.max(np.abs(np.linalg.norm(director, axis=2) - 1), axis=1)
     wall, megabytes = np.array(memory).T

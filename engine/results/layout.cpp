@@ -161,6 +161,10 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::energy, &E::rotation>("/series/rotation_energy", "J",
                                          "kinetic energy of the spin about d3, part of the kinetic "
                                          "energy"),
+        series<&R::energy, &E::half_steps>("/series/half_step_energy", "J",
+                                           "leapfrog: by how much the energy of the half steps "
+                                           "before and after the record exceeds "
+                                           "the kinetic energy, from the first step on"),
         series<&R::energy, &E::elastic>("/series/elastic_energy", "J",
                                         "strain energy of the rod and of the contact springs"),
         series<&R::energy, &E::springs>("/series/spring_energy", "J",

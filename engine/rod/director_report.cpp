@@ -260,7 +260,7 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     EnergyAccount& energy = record.energy;
     for (std::size_t k = 0; k <= last; ++k)
         energy.kinetic += kinetic_energy(scene, at.rod, at.wall, k);
-    energy.kinetic +=
+    energy.half_steps =
         state.origin.half_steps - half_kick_energy(string, at, 0.5 * state.clock.last_step);
     for (std::size_t k = 0; k < last; ++k)
         energy.elastic += elastic_energy(scene, k, at);

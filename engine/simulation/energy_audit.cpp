@@ -13,8 +13,9 @@ constexpr std::size_t elastic = 1;
 constexpr std::size_t dissipation = 4;
 
 /// The account as numbers, and back.
-std::array<double*, 6> members(EnergyAccount& a) {
-    return {&a.kinetic, &a.elastic, &a.springs, &a.potential, &a.work, &a.dissipation};
+std::array<double*, 7> members(EnergyAccount& a) {
+    return {&a.kinetic,   &a.half_steps, &a.elastic,    &a.springs,
+            &a.potential, &a.work,       &a.dissipation};
 }
 
 }  // namespace

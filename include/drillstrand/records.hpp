@@ -13,14 +13,17 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// Energies in J; work and dissipation since the start of the run.
 struct EnergyAccount {
     double kinetic = 0;
-    double rotation = 0;     ///< of spin about d3, part of `kinetic`
-    double elastic = 0;      ///< strain energy of the rod and of the contact springs
-    double springs = 0;      ///< of the contact springs, part of `elastic`
-    double potential = 0;    ///< of the buoyed weight; 0 at the start of the run
+    double rotation = 0;   ///< of spin about d3, part of `kinetic`
+    double elastic = 0;    ///< strain energy of the rod and of the contact springs
+    double springs = 0;    ///< of the contact springs, part of `elastic`
+    double potential = 0;  ///< of the buoyed weight; 0 at the start of the run
+    /// Leapfrog: by how much what it keeps, 1/2 m v- . v+ of the half steps before and after the
+    /// record, exceeds `kinetic`, counted from the first step
+    double half_steps = 0;
     double work = 0;         ///< done by the head, the bit and dead loads on the string
     double dissipation = 0;  ///< in damping, fluid, contact dashpots and friction
 
-    [[nodiscard]] double stored() const { return kinetic + elastic + potential; }
+    [[nodiscard]] double stored() const { return kinetic + half_steps + elastic + potential; }
 };
 
 /// The part of the string that goes around the well's axis while it rotates, away from that axis

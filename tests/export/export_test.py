@@ -36,6 +36,7 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
     "bit_torque[N m]": ("bit_torque", None),
     "kinetic_energy[J]": ("kinetic_energy", None),
     "rotation_energy[J]": ("rotation_energy", None),
+    "half_step_energy[J]": ("half_step_energy", None),
     "elastic_energy[J]": ("elastic_energy", None),
     "spring_energy[J]": ("spring_energy", None),
     "potential_energy[J]": ("potential_energy", None),

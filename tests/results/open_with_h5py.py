@@ -38,6 +38,7 @@ SHAPES = {
     "/series/bit_torque": (4,),
     "/series/kinetic_energy": (4,),
     "/series/rotation_energy": (4,),
+    "/series/half_step_energy": (4,),
     "/series/elastic_energy": (4,),
     "/series/spring_energy": (4,),
     "/series/potential_energy": (4,),
