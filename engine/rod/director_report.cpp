@@ -81,6 +81,24 @@ Triple own_at(const ReportedSegment& segment, const DirectorSnapshot& at, std::s
                          triple(Vector3d(at.frame[node].col(1))));
 }
 
+/// h tau less that of the own shape (rad).
+double elastic_twist(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+    const Triple& turn = segment.arc.turn;
+    const double frames = at.segments.row(SegmentRow::twist)[k] - segment.section.curvature[0];
+    return segment.length * frames +
+           segment.stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
+           OwnCurvature::twist(segment.stiffness, segment.length, segment.chord, turn,
+                               own_at(segment, at, k), own_at(segment, at, k + 1));
+}
+
+/// GJ times it per length. (The couple about the directors, `SegmentRow::torque`, has what bending
+/// of an own shape adds, too.)
+double elastic_torque(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+    const double sine2 = dot(segment.arc.turn, segment.arc.turn);
+    return elastic_twist(segment, at, k) /
+           (segment.length * segment.stiffness.torsion_compliance(sine2));
+}
+
 /// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
 /// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
 /// wall, moments at its ends are larger and in its middle less.)
@@ -98,7 +116,7 @@ Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot
     const Vector3d d1 = (across - across.dot(t) * t).normalized();
     const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << at.segments.row(SegmentRow::torque)[k], bending.dot(d1), bending.dot(d2), pull.dot(t),
+    stress << elastic_torque(segment, at, k), bending.dot(d1), bending.dot(d2), pull.dot(t),
         pull.dot(d1), pull.dot(d2);
     return stress;
 }
@@ -113,20 +131,14 @@ Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std
 
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
     const ReportedSegment segment(scene, k, at);
-    const SegmentStiffness& stiffness = segment.stiffness;
-    const Triple own_a = own_at(segment, at, k);
-    const Triple own_b = own_at(segment, at, k + 1);
-    const double h = segment.length;
-    const double theta = h * at.segments.row(SegmentRow::twist)[k];
-    const Triple& turn = segment.arc.turn;
-    const double twist = theta + stiffness.bending_share * twist_of_deviation(segment.chord, turn) +
-                         OwnCurvature::twist(stiffness, h, segment.chord, turn, own_a, own_b) -
-                         h * segment.section.curvature[0];
-    const OwnCurvature shape(stiffness, h, node_triple(at, DirectorRow::director, k),
-                             node_triple(at, DirectorRow::director, k + 1), segment.arc,
-                             segment.arc.factor(), segment.chord, theta, 0, own_a, own_b);
-    return h * (segment.beam.energy(stiffness) + 0.5 * stiffness.bending * segment.beam.bend2) +
-           shape.energy + 0.5 * twist * twist / (h * stiffness.torsion_compliance(dot(turn, turn)));
+    const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
+    const OwnCurvature shape(
+        segment.stiffness, segment.length, node_triple(at, DirectorRow::director, k),
+        node_triple(at, DirectorRow::director, k + 1), segment.arc, segment.arc.factor(),
+        segment.chord, theta, 0, own_at(segment, at, k), own_at(segment, at, k + 1));
+    const double bending = 0.5 * segment.stiffness.bending * segment.beam.bend2;
+    return segment.length * (segment.beam.energy(segment.stiffness) + bending) + shape.energy +
+           0.5 * elastic_torque(segment, at, k) * elastic_twist(segment, at, k);
 }
 
 }  // namespace
