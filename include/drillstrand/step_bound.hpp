@@ -17,8 +17,8 @@ struct StepBound {
 };
 
 /// The least over the string: of dormand-prince each node with the stiffest of its own segments, of
-/// the leapfrog each segment under the loads that the scene lets expect. The leapfrog solves contact
-/// and fluid implicitly, so that only the rod bounds it.
+/// the leapfrog each segment under the loads that the scene lets expect. The leapfrog solves
+/// contact and fluid implicitly, so that only the rod bounds it.
 StepBound step_bound(const Scene& scene, IntegratorKind integrator);
 
 }  // namespace drillstrand
