@@ -294,7 +294,7 @@ class Export(SmallRun):
 
     def test_an_equilibrium_is_exported(self):
         ending = self.run_program("equilibrium", "case.toml", "-o", "rest.h5", "--set",
-                                  "mesh.segments=10")
+                                  "mesh.segments=20")
         self.assertEqual(ending.returncode, 0, ending.stderr)
         self.assertEqual(self.run_program("export", "rest.h5", "--vtk").returncode, 0)
         ((time, path),) = self.collection("rest")
