@@ -11,9 +11,11 @@ namespace {
 // parts of the account, as add() lists them
 constexpr std::size_t elastic = 1;
 constexpr std::size_t dissipation = 4;
+// numbers of an account, as members() lists them
+constexpr std::size_t numbers = 7;
 
 /// The account as numbers, and back.
-std::array<double*, 7> members(EnergyAccount& a) {
+std::array<double*, numbers> members(EnergyAccount& a) {
     return {&a.kinetic,   &a.half_steps, &a.elastic,    &a.springs,
             &a.potential, &a.work,       &a.dissipation};
 }
@@ -72,7 +74,7 @@ void EnergyAudit::restore(const SavedState& saved) {
     const auto row = std::find_if(saved.begin(), saved.end(), [](const SavedRow& candidate) {
         return candidate.name == "energy_audit";
     });
-    if (row == saved.end() || row->values.size() != 1 + 2 * 6 + 2 * ranges_.size())
+    if (row == saved.end() || row->values.size() != 1 + 2 * numbers + 2 * ranges_.size())
         throw std::invalid_argument("the saved summary has no energy audit");
     auto value = row->values.begin();
     empty_ = *value++ != 0;
