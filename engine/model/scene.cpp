@@ -137,8 +137,31 @@ std::vector<double> slow_inertias(const StringMesh& mesh) {
     return inertias;
 }
 
+/// Whether a couple about the bit's axis may act on it.
+bool is_twisted(const BitCase& bit) {
+    const auto is_any = [](double torque) { return torque != 0; };
+    const auto has_couple = [](const Eigen::Vector3d& couple) { return !couple.isZero(0); };
+    const auto any_of = [](const auto& schedule, const auto& is) {
+        return std::any_of(schedule.values().begin(), schedule.values().end(), is);
+    };
+    return bit.friction.value_or(0) > 0 || any_of(bit.torque, is_any) ||
+           any_of(bit.moment, has_couple) || any_of(bit.dead_moment, has_couple);
+}
+
+/// A torque that follows a free end drives it to flutter, as slowly as its motion is heavy. The
+/// turn of the last node alone is a motion of the mesh, light, and by nothing damped: where a
+/// torque acts, the node turns as the rigid half of a segment, whose inertia vanishes with h^2.
+void weigh_down_twisted_bit(const StringMesh& mesh, std::vector<double>& inertias) {
+    const double h = mesh.length.back();
+    inertias.back() = std::max(inertias.back(), mesh.node.back().mass * h * h / 12);
+}
+
 std::vector<double> rotary_inertias(const Scene& scene, const Case& input) {
-    if (input.run.integrator == IntegratorKind::leapfrog) return slow_inertias(scene.mesh);
+    if (input.run.integrator == IntegratorKind::leapfrog) {
+        std::vector<double> inertias = slow_inertias(scene.mesh);
+        if (is_twisted(input.bit)) weigh_down_twisted_bit(scene.mesh, inertias);
+        return inertias;
+    }
     return input.mesh.segment_inertia ? rigid_piece_inertias(scene) : section_inertias(scene.mesh);
 }
 
