@@ -158,6 +158,9 @@ void weigh_down_twisted_bit(const StringMesh& mesh, std::vector<double>& inertia
 
 std::vector<double> rotary_inertias(const Scene& scene, const Case& input) {
     if (input.run.integrator == IntegratorKind::leapfrog) {
+        // D_in acts half a step late, which feeds bends that turn light nodes as fast as the step
+        // can
+        if (input.damping.internal.rotation > 0) return rigid_piece_inertias(scene);
         std::vector<double> inertias = slow_inertias(scene.mesh);
         if (is_twisted(input.bit)) weigh_down_twisted_bit(scene.mesh, inertias);
         return inertias;

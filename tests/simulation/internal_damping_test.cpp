@@ -9,7 +9,8 @@ namespace {
 
 class InternalDamping : public testing::TestWithParam<double> {};
 
-TEST_P(InternalDamping, NeverMakesATwistedPipeGainEnergy) {
+/// Lets a pipe go from a shape (twist, bends, 1/m); it may gain 2 % of its energy in a swing.
+void expect_no_gain(const Eigen::Vector3d& curvature, double damping) {
     Case input;
     input.gravity = 0;
     Component pipe;
@@ -20,8 +21,8 @@ TEST_P(InternalDamping, NeverMakesATwistedPipeGainEnergy) {
     pipe.youngs_modulus = 206e9;
     input.string.components = {pipe};
     input.mesh.segments = 70;
-    input.initial.curvature = {0.01, 0, 0};
-    input.damping.internal = {GetParam(), GetParam()};
+    input.initial.curvature = curvature;
+    input.damping.internal = {damping, damping};
     input.run.integrator = IntegratorKind::leapfrog;
     input.run.duration = 10;
     input.run.threads = 1;
@@ -29,6 +30,15 @@ TEST_P(InternalDamping, NeverMakesATwistedPipeGainEnergy) {
     const double given = result.series.front().energy.stored();
     for (const SeriesRecord& record : result.series)
         ASSERT_LT(record.energy.stored(), 1.02 * given) << "at " << record.time << " s";
+}
+
+TEST_P(InternalDamping, NeverMakesATwistedPipeGainEnergy) {
+    expect_no_gain({0.01, 0, 0}, GetParam());
+}
+
+// Nodes that turn as fast as axial waves once took the pipe past its yield strength in 0.1 s.
+TEST_P(InternalDamping, NeverMakesABentPipeGainEnergy) {
+    expect_no_gain({0, 0.001, 0}, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTenToTenThousandTimesThePapers, InternalDamping,
