@@ -156,13 +156,24 @@ void weigh_down_twisted_bit(const StringMesh& mesh, std::vector<double>& inertia
     inertias.back() = std::max(inertias.back(), mesh.node.back().mass * h * h / 12);
 }
 
+/// D_in carries turns along the string with the speed D_in/J, half a step late: where that is no
+/// longer slow beside axial waves, it feeds bends that turn light nodes in little more than a step.
+void weigh_down_damped_nodes(const Scene& scene, std::vector<double>& inertias) {
+    constexpr double slow = 1e-3;
+    const std::vector<double> rigid = rigid_piece_inertias(scene);
+    for (std::size_t k = 0; k < inertias.size(); ++k) {
+        const SectionProperties& segment = scene.mesh.segment[std::min(k, inertias.size() - 2)];
+        const double wave_speed = std::sqrt(segment.axial_stiffness / segment.mass);
+        if (scene.damping.internal.rotation > slow * inertias[k] * wave_speed)
+            inertias[k] = rigid[k];
+    }
+}
+
 std::vector<double> rotary_inertias(const Scene& scene, const Case& input) {
     if (input.run.integrator == IntegratorKind::leapfrog) {
-        // D_in acts half a step late, which feeds bends that turn light nodes as fast as the step
-        // can
-        if (input.damping.internal.rotation > 0) return rigid_piece_inertias(scene);
         std::vector<double> inertias = slow_inertias(scene.mesh);
         if (is_twisted(input.bit)) weigh_down_twisted_bit(scene.mesh, inertias);
+        weigh_down_damped_nodes(scene, inertias);
         return inertias;
     }
     return input.mesh.segment_inertia ? rigid_piece_inertias(scene) : section_inertias(scene.mesh);

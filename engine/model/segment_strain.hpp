@@ -71,8 +71,8 @@ struct SegmentStiffness {
     double bending_share;  ///< k
     double slenderness;    ///< EA h^2 / EI
     double twisting;       ///< 1 / GJ (1/(N m2))
-    double
-        bent_twisting;  ///< 1 / (h^2 (kappa GA + 12 EI/h^2)) (1/(N m2)): see torsion_compliance()
+    /// 1 / (h^2 (kappa GA + 12 EI/h^2)) (1/(N m2)): see torsion_compliance()
+    double bent_twisting;
 
     SegmentStiffness(const SectionProperties& section, double length)
         : axial(section.axial_stiffness),

@@ -45,7 +45,7 @@ struct Scene {
     std::vector<double> lateral_mass;
     /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 4 k EI m/EA,
     /// at a bit with a torque at least m h^2/12; for dormand-prince with segment inertia, and for
-    /// the leapfrog with internal damping of rotation, plus (lateral mass) h^2/12
+    /// the leapfrog with strong internal damping of rotation, plus (lateral mass) h^2/12
     std::vector<double> inertia;
     std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit

@@ -251,7 +251,7 @@ void print_loads(const Scene& scene) {
 
 std::string rotary_inertia(const Case& input) {
     if (input.run.integrator == IntegratorKind::leapfrog)
-        return "of the sections, at least what costs no steps";
+        return "of the sections, at least what is stable and costs no steps";
     return input.mesh.segment_inertia ? "of the sections and of the segments as rigid pieces"
                                       : "of the sections alone";
 }
