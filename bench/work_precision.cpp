@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "drillstrand/case.hpp"
+#include "drillstrand/equilibrium.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
 
@@ -58,7 +59,9 @@ Overrides overrides(const Job& job) {
         if (at == std::string::npos) throw std::invalid_argument("--set " + setting + ": no '='");
         list.emplace_back(setting.substr(0, at), setting.substr(at + 1));
     }
-    if (job.method != "arkode") list.emplace_back("run.integrator", '"' + job.method + '"');
+    // an equilibrium is that of the leapfrog's rod
+    const std::string integrator = job.method == "equilibrium" ? "leapfrog" : job.method;
+    if (job.method != "arkode") list.emplace_back("run.integrator", '"' + integrator + '"');
     return list;
 }
 
@@ -71,6 +74,17 @@ Runner make_runner(const Job& job, const Case& input, const Scene& scene) {
 #else
         throw std::runtime_error("this build has no ARKODE: install libsundials-dev and configure");
 #endif
+    }
+    if (job.method == "equilibrium") {
+        const auto found = std::make_shared<Equilibrium>();
+        found->profile = make_integrator(scene, {})->profile();
+        return {[found, &scene](double) { *found = find_equilibrium(scene); },
+                [found] { return found->profile; },
+                [found] {
+                    StepStatistics statistics;
+                    statistics.steps = found->iterations;
+                    return statistics;
+                }};
     }
     IntegratorOptions options;
     options.kind = input.run.integrator;
@@ -85,30 +99,55 @@ Runner make_runner(const Job& job, const Case& input, const Scene& scene) {
             [integrator] { return integrator->statistics(); }};
 }
 
-/// What is compared: place of evenly spaced nodes, and stress there, which lives on the segments to
-/// both sides: their mean, or the line through the two nearest at an end. Second order in h.
+/// A component of the stress at a node: of the cubic whose means over the four nearest segments are
+/// those given, since stresses live on segments.
+double stress_at(const std::vector<Vector6>& stress, std::size_t node, Eigen::Index component) {
+    static constexpr double weight[5][4] = {{25, -23, 13, -3},  // times 1/12; at the first end
+                                            {3, 13, -5, 1},     // after the first segment
+                                            {-1, 7, 7, -1},
+                                            {1, -5, 13, 3},
+                                            {-3, 13, -23, 25}};
+    const std::size_t first = std::min(node < 2 ? 0 : node - 2, stress.size() - 4);
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        sum += weight[node - first][i] / 12 * stress[first + i][component];
+    return sum;
+}
+
+/// Size of the bending moment at a node. Releases whose records had no moments at nodes, which this
+/// program is built in to be compared with, have the mean of both segments.
+template <class AnyProfile>
+double bending_at(const AnyProfile& profile, std::size_t node) {
+    if constexpr (requires { profile.moment; }) {
+        return profile.moment[node].template tail<2>().norm();
+    } else {
+        const std::size_t below = std::min(node, profile.stress.size() - 1);
+        const std::size_t above = node > 0 ? node - 1 : 0;
+        return 0.5 * (profile.stress[above] + profile.stress[below]).template segment<2>(1).norm();
+    }
+}
+
+/// What is compared, at evenly spaced nodes: place, tension, twist moment, bending moment, and the
+/// normal force of the wall per length.
 std::vector<double> at_stations(const Profile& profile, int stations) {
     const std::size_t segments = profile.stress.size();
     const std::size_t every = segments / static_cast<std::size_t>(stations);
-    const auto stress = [&](std::size_t node, Eigen::Index component) {
-        const auto of = [&](std::size_t segment) { return profile.stress[segment][component]; };
-        if (node == 0) return 1.5 * of(0) - 0.5 * of(1);
-        if (node == segments) return 1.5 * of(segments - 1) - 0.5 * of(segments - 2);
-        return 0.5 * (of(node - 1) + of(node));
-    };
     std::vector<double> row;
     for (std::size_t node = 0; node <= segments; node += every) {
         for (Eigen::Index i = 0; i < 3; ++i)
             row.push_back(profile.position[node][i]);
-        row.push_back(stress(node, 3));
-        row.push_back(stress(node, 0));
+        row.push_back(stress_at(profile.stress, node, 3));
+        row.push_back(stress_at(profile.stress, node, 0));
+        row.push_back(bending_at(profile, node));
+        row.push_back(profile.normal_force.empty() ? 0.0 : profile.normal_force[node]);
     }
     return row;
 }
 
-constexpr std::size_t quantities = 5;  // of a station: three coordinates, tension, twist moment
+/// Of a station: three coordinates, tension, twist moment, bending moment, side force.
+constexpr std::size_t quantities = 7;
 
-/// The last of several records, with the mean tension and twist moment of all.
+/// The last of several records, with the mean stresses and forces of all.
 std::vector<double> with_mean_stress(const std::vector<std::vector<double>>& parts) {
     std::vector<double> row = parts.back();
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -177,7 +216,7 @@ void print(const Outcome& outcome, const std::vector<double>& walls,
 void run(const Job& job) {
     const Case input = read_case(job.path, overrides(job));
     const Scene scene = starting_scene(input);
-    if (scene.segments % job.stations != 0 || scene.segments < 2) {
+    if (scene.segments % job.stations != 0 || scene.segments < 4) {
         throw std::invalid_argument(fmt::format("{} segments do not divide into {} stretches",
                                                 scene.segments, job.stations));
     }
@@ -202,8 +241,8 @@ int main(int count, char** arguments) {
     drillstrand::bench::Job job;
     app.add_option("case", job.path, "case file")->required();
     app.add_option("--set", job.settings, "key.path=value")->take_all();
-    app.add_option("--method", job.method, "leapfrog, dormand-prince or arkode")
-        ->check(CLI::IsMember({"leapfrog", "dormand-prince", "arkode"}));
+    app.add_option("--method", job.method, "leapfrog, dormand-prince, arkode or equilibrium")
+        ->check(CLI::IsMember({"leapfrog", "dormand-prince", "arkode", "equilibrium"}));
     app.add_option("--tolerance", job.tolerance, "of arkode");
     app.add_option("--order", job.order, "of arkode");
     app.add_option("--stations", job.stations, "stretches between the nodes that are reported");

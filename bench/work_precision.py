@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Time against error: leapfrog, dormand-prince and ARKODE of SUNDIALS on six motions.
+"""Time against error: leapfrog, dormand-prince and ARKODE of SUNDIALS on seven motions.
 
 Each method runs each motion on several meshes, steps and tolerances; its error is measured against
 an exact or independent solution where there is one, and otherwise against a converged run of the
@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -27,8 +27,11 @@ PAPER = (1e-7, 1e-5)  # the paper's absolute and relative tolerance
 LOOSE = (1e-5, 1e-3)
 PROGRAM = "bench/bench_work_precision"
 RESOLVED = 1.5  # times the distance of two references: what they can tell from no error
-QUANTITIES = 5  # at each station: north, east, down (m), tension (N), twist moment (N m)
-TENSION, TORQUE = 3, 4
+# at each station: north, east, down (m), tension (N), twist moment, bending moment (N m), normal
+# force of the wall (N/m)
+QUANTITIES = 7
+TENSION, TORQUE, BENDING, SIDE_FORCE = 3, 4, 5, 6
+NAMES = {TENSION: "tension", TORQUE: "torque", BENDING: "bending", SIDE_FORCE: "side force"}
 
 
 # ---------------------------------------------------------------- methods
@@ -38,14 +41,18 @@ class Variant:
     """A method with its settings, but for the mesh."""
     method: str
     inertia: bool
-    accuracy: tuple  # (absolute, relative), (cfl,) or (tolerance, order)
+    accuracy: tuple  # (absolute, relative), (cfl,), (tolerance, order), or none
+    before: bool = False  # of the release with the segment of second order
 
     @property
     def name(self):
         """As in the legend and in the table."""
         inertia = ", segment inertia" if self.inertia else ""
+        method = self.method + (", old segment" if self.before else "")
+        if self.method == "equilibrium":
+            return method
         if self.method == "leapfrog":
-            return f"leapfrog, cfl {self.accuracy[0]:g}"
+            return f"{method}, cfl {self.accuracy[0]:g}"
         if self.method == "arkode":
             return f"ARKODE order {self.accuracy[1]}, {self.accuracy[0]:g}{inertia}"
         return f"dormand-prince, {self.accuracy[0]:g} and {self.accuracy[1]:g}{inertia}"
@@ -54,7 +61,9 @@ class Variant:
         """Of the C++ program."""
         settings = {"mesh.segment_inertia": str(self.inertia).lower()}
         options = ["--method", self.method]
-        if self.method == "leapfrog":
+        if self.method == "equilibrium":
+            pass
+        elif self.method == "leapfrog":
             settings["run.cfl"] = self.accuracy[0]
         elif self.method == "arkode":
             options += ["--tolerance", str(self.accuracy[0]), "--order", str(self.accuracy[1])]
@@ -74,6 +83,7 @@ DORMAND_PRINCE = [PAPERS_METHOD, Variant("dormand-prince", False, LOOSE),
                   Variant("dormand-prince", True, PAPER)]
 ARKODE = [Variant("arkode", False, (1e-2, 4)), Variant("arkode", False, (1e-3, 4)),
           Variant("arkode", False, (1e-4, 4)), Variant("arkode", True, (1e-2, 4))]
+EQUILIBRIUM = [Variant("equilibrium", False, ())]
 LONG_RUN = 20.0  # s; a run that takes longer is not repeated: noise cannot change its verdict
 
 
@@ -94,7 +104,9 @@ class Motion:
     reference: object = None  # function of time: exact stations; None: converged runs
     quick: dict = field(default_factory=dict)  # settings of a trial
     used: tuple = (TENSION, TORQUE)  # whose error counts; () for the place of the last station
-    means: int = 1  # samples that a record's tension and twist moment are the mean of
+    means: int = 1  # samples that a record's stresses and forces are the mean of
+    bends: bool = False  # whether its error is that of bending
+    rests: bool = False  # whether it ends at rest, where statics know it too
 
 
 SWING_TIP = {0.5: (23.931912919, -1.724811036), 1: (23.118682909, -6.077534366),
@@ -184,6 +196,41 @@ interval = 0.05
 """.format(**HANGING)
 
 CURVED_SURVEY = "md[m],inclination[deg],azimuth[deg]\n0,30,0\n300,60,0\n400,60,0\n"
+BUILD_SURVEY = "md[m],inclination[deg],azimuth[deg]\n0,30,0\n160,46,0\n400,46,0\n"
+# Without friction, which would make the state of rest depend on the way to it.
+AT_REST_CASE = """
+title = "Drill pipe that comes to rest in a deviated well"
+[well]
+survey = "survey.csv"
+diameter = "8.5 in"
+[string]
+[[string.component]]
+name = "drill pipe"
+length = 300
+outer_diameter = "5 in"
+inner_diameter = "4.276 in"
+linear_density = 31.9
+youngs_modulus = "206 GPa"
+poisson_ratio = 0.3
+[mesh]
+segments = 32
+[damping]
+external_rotation = 1  # N s
+external_translation = 300  # N s/m2: waves along the string die out ten times in two seconds
+[contact]
+normal_stiffness = 1e5
+normal_damping = 1e3
+static_friction = 0
+dynamic_friction = 0
+[initial]
+state = "coaxial"
+offset = [-0.028, 0, 0.034]  # near the low side
+[run]
+duration = 6
+[output]
+interval = 6
+"""
+
 CURVED_CASE = """
 title = "Drill pipe that turns on the low side of a bent well"
 [well]
@@ -224,8 +271,12 @@ MOTIONS = [
     Motion("cantilever", "Cantilever let go from level, undamped", 8, 1,
            {"damping.internal": 0, "damping.external": 0, "run.duration": 4,
             "output.interval": 0.5}, "error of the tip (m), root mean square of six times",
-           case="cantilever.toml", reference=swing_reference, used=(),
+           case="cantilever.toml", reference=swing_reference, used=(), bends=True,
            quick={"run.duration": 2}),
+    Motion("at-rest", "Drill pipe coming to rest in a deviated well", 32, 16, {},
+           "error of side force and bending moment, of their ranges", text=AT_REST_CASE,
+           survey=BUILD_SURVEY, used=(BENDING, SIDE_FORCE), bends=True, rests=True,
+           quick={"run.duration": 4, "output.interval": 4}),
     Motion("ring-down-axial", "Hanging string, axial waves", 32, HANGING_STATIONS, {},
            "error of the tension, of its range", text=HANGING_CASE,
            reference=hanging_reference, used=(TENSION,), quick={"run.duration": 1}),
@@ -256,7 +307,9 @@ class Bench:
     def __init__(self, options, scratch):
         self.options = options
         self.scratch = Path(scratch)
-        self.program = measure.executable(options.build, PROGRAM)
+        self.program = {False: measure.executable(options.build, PROGRAM)}
+        if options.before:
+            self.program[True] = measure.executable(options.before, PROGRAM)
 
     def case_file(self, motion):
         """The case file of a motion."""
@@ -275,7 +328,7 @@ class Bench:
 
     def start(self, motion, variant, segments, repeat):
         """Starts a run."""
-        command = [str(self.program), str(self.case_file(motion)), *variant.arguments(),
+        command = [str(self.program[variant.before]), str(self.case_file(motion)), *variant.arguments(),
                    *settings_arguments(self.settings(motion) | {"mesh.segments": segments}),
                    "--stations", str(motion.stations), "--means", str(motion.means)]
         if repeat:
@@ -312,20 +365,22 @@ def root_mean_square(values):
 
 
 def error_of(motion, rows, reference):
-    """Errors of a run: that of the motion's axis, and of place (m), tension and twist moment
-    (relative to the range in the reference)."""
+    """Errors of a run after its start: that of the motion's axis, and of place (m), stresses and
+    side force (relative to the range in the reference)."""
     def relative(quantity):
-        true = reference[:, :, quantity]
+        # bending and side force of the paper's method are not known at the very ends
+        nodes = slice(1, -1) if quantity in (BENDING, SIDE_FORCE) else slice(None)
+        true = reference[1:, nodes, quantity]
         span = np.nanmax(true) - np.nanmin(true) if np.isfinite(true).any() else 0.0
         if span == 0.0:
             return math.nan
-        return root_mean_square(rows[:, :, quantity] - true) / span
+        return root_mean_square(rows[1:, nodes, quantity] - true) / span
 
     place = root_mean_square(np.linalg.norm(rows[1:, 1:, :3] - reference[1:, 1:, :3], axis=2))
-    errors = {"place (m)": place, "tension": relative(TENSION), "torque": relative(TORQUE)}
+    errors = {"place (m)": place} | {name: relative(quantity) for quantity, name in NAMES.items()}
     if not motion.used:
         return place, errors
-    parts = [errors[{TENSION: "tension", TORQUE: "torque"}[quantity]] for quantity in motion.used]
+    parts = [errors[NAMES[quantity]] for quantity in motion.used]
     return root_mean_square(np.array(parts)), errors
 
 
@@ -340,7 +395,8 @@ def references_of(bench, motion, factor):
         time = [i * interval for i in range(round(duration / interval) + 1)]
         exact = motion.reference(time)
         word = "independent solution" if motion.key == "cantilever" else "exact"
-        return {method: (exact, word) for method in ("leapfrog", "dormand-prince", "arkode")}, 0.0
+        return {method: (exact, word)
+                for method in ("leapfrog", "dormand-prince", "arkode", "equilibrium")}, 0.0
 
     segments = factor * motion.segments
     fine = {"leapfrog": Variant("leapfrog", False, (0.3,)), "dormand-prince": PAPERS_METHOD}
@@ -356,7 +412,8 @@ def references_of(bench, motion, factor):
     floor, _ = error_of(motion, rows["leapfrog"], rows["dormand-prince"])
     strands = (rows["leapfrog"], f"{fine['leapfrog'].name}, N = {segments}")
     directors = (rows["dormand-prince"], f"{fine['dormand-prince'].name}, N = {segments}")
-    return {"leapfrog": directors, "dormand-prince": strands, "arkode": strands}, floor
+    return {"leapfrog": directors, "equilibrium": directors, "dormand-prince": strands,
+            "arkode": strands}, floor
 
 
 def number_in(text, key):
@@ -374,7 +431,10 @@ def jobs_of(options, motion):
     """(variant, segments) of all runs."""
     doublings = 2 if options.quick else 3
     jobs = []
-    for variant in LEAPFROG:
+    ours = LEAPFROG + (EQUILIBRIUM if motion.rests else [])
+    if options.before:
+        ours = ours + [replace(variant, before=True) for variant in ours]
+    for variant in ours:
         jobs += [(variant, motion.segments << i) for i in range(doublings + 1)]
     for variant in DORMAND_PRINCE:
         jobs += [(variant, motion.segments << i) for i in range(doublings)]
@@ -424,7 +484,8 @@ def row_of(motion, job, times, result, why, reference, floor):
            "segment_inertia": variant.inertia, "segments": segments}
     numbers = dict.fromkeys(
         ("wall (s)", "least wall (s)", "most wall (s)", "processor (s)", "runs", "steps",
-         "rejected", "evaluations", "error", "place error (m)", "tension error", "torque error"), "")
+         "rejected", "evaluations", "error", "place error (m)",
+         *(f"{name} error" for name in NAMES.values())), "")
     if result is not None:
         walls = [wall for wall, _ in times]
         error, parts = error_of(motion, result["rows"], reference[0])
@@ -434,8 +495,8 @@ def row_of(motion, job, times, result, why, reference, floor):
             "processor (s)": statistics.median(processor for _, processor in times),
             "runs": len(walls), "steps": result["steps"], "rejected": result["rejected"],
             "evaluations": result["evaluations"], "error": error,
-            "place error (m)": parts["place (m)"], "tension error": parts["tension"],
-            "torque error": parts["torque"]}
+            "place error (m)": parts["place (m)"],
+            **{f"{name} error": parts[name] for name in NAMES.values()}}
     return row | numbers | {"reference": reference[1], "references differ by": floor,
                             "failure": why}
 
@@ -471,12 +532,22 @@ def time_at(points, error):
 def ratios(rows, of, clock):
     """[(segments, error, ratio)]: time of the front of the runs that `of` picks, over that of the
     leapfrog's at the same error."""
-    fast = front([row for row in rows if row["method"] == "leapfrog"], clock)
+    fast = front([row for row in rows if is_leapfrog(row)], clock)
     found = []
     for error, time, segments in front([row for row in rows if of(row)], clock):
         reached = time_at(fast, error)
         found.append((segments, error, time / reached if reached else None))
     return found
+
+
+def is_leapfrog(row):
+    """Runs of the leapfrog as it is."""
+    return row["method"] == "leapfrog" and "old segment" not in row["variant"]
+
+
+def is_leapfrog_before(row):
+    """Runs of the leapfrog with the segment of second order."""
+    return row["method"] == "leapfrog" and not is_leapfrog(row)
 
 
 def is_paper(row):
@@ -500,31 +571,37 @@ def median_ratio(found):
     return statistics.median(known) if known else None
 
 
-def as_text(ratio):
+def as_text(ratio, missing="leapfrog does not get there"):
     """A ratio for a table."""
-    return "leapfrog does not get there" if ratio is None else f"{ratio:.3g}"
+    return missing if ratio is None else f"{ratio:.3g}"
 
 
 def summary(motions, rows, clock):
-    """Lines of the table, and the median over the motions of the paper's ratio."""
+    """Lines of the table, and the medians of the paper's ratio over the motions, and of the old
+    segment's over those that bend."""
     lines = []
     medians = []
+    before = []
     for motion in motions:
         own = [row for row in rows if row["motion"] == motion.key]
         paper = ratios(own, is_paper, clock)
         middle = median_ratio(paper)
         if middle:
             medians.append(middle)
+        old = median_ratio(ratios(own, is_leapfrog_before, clock))
+        if old and motion.bends:
+            before.append(old)
         lines.append({
             "motion": motion.title,
             "reference": reference_text(own),
             "dormand-prince over leapfrog": as_text(middle),
             "by mesh": ", ".join(f"N = {n} ({error:.1e}): {as_text(ratio)}"
                                  for n, error, ratio in paper),
+            "old segment over new": as_text(old, "not measured"),
             "with segment inertia": as_text(median_ratio(ratios(own, is_paper_with_inertia,
                                                                 clock))),
             "ARKODE over leapfrog": as_text(median_ratio(ratios(own, is_arkode, clock)))})
-    return lines, statistics.median(medians) if medians else None
+    return lines, *(statistics.median(found) if found else None for found in (medians, before))
 
 
 def reference_text(rows):
@@ -539,6 +616,9 @@ def reference_text(rows):
 
 STYLES = {  # family: (colour, marker, line)
     "leapfrog": (measure.BLUE, "o", "-"),
+    "leapfrog, old segment": (measure.SKY, "o", "--"),
+    "equilibrium": (measure.PURPLE, "*", "-"),
+    "equilibrium, old segment": (measure.PURPLE, "*", "--"),
     "dormand-prince, paper's inertia": (measure.RED, "s", "-"),
     "dormand-prince, segment inertia": (measure.ORANGE, "D", "-"),
     "ARKODE, paper's inertia": (measure.GREEN, "^", "--"),
@@ -548,8 +628,8 @@ STYLES = {  # family: (colour, marker, line)
 
 def family(row):
     """Key of STYLES."""
-    if row["method"] == "leapfrog":
-        return "leapfrog"
+    if row["method"] in ("leapfrog", "equilibrium"):
+        return row["method"] + (", old segment" if "old segment" in row["variant"] else "")
     name = "ARKODE" if row["method"] == "arkode" else "dormand-prince"
     return f"{name}, {'segment' if row['segment_inertia'] else 'paper' + chr(39) + 's'} inertia"
 
@@ -589,15 +669,17 @@ def draw(motion, rows, clock, path, conditions):
 
 def publish(options, facts, motions, rows, clock, pictures):
     """The table of RESULTS.md."""
-    lines, median = summary(motions, rows, clock)
+    lines, median, before = summary(motions, rows, clock)
     kind = "Trial (short windows, coarse references). " if options.quick else ""
     introduction = (
         f"{kind}How many times longer other methods take on one core than `leapfrog` for the same error "
         "(against the reference named; of tension and twist moment along the string, or of the tip "
         "of the cantilever). dormand-prince runs with the paper's tolerances (1e-7, 1e-5); the "
-        "number is the median of its best runs. ARKODE (SUNDIALS 6.4.1, diagonally implicit "
+        "number is the median of its best runs. *Old segment* is the leapfrog of the release before the "
+        "rod of fourth order. ARKODE (SUNDIALS 6.4.1, diagonally implicit "
         "Runge-Kutta) runs with several tolerances; the number is the median of its best runs. "
-        f"Median over the motions of dormand-prince over leapfrog: {as_text(median)}. "
+        f"Median over the motions of dormand-prince over leapfrog: {as_text(median)}; of the old "
+        f"segment over the new, in the motions that bend: {as_text(before, 'not measured')}. "
         f"Times: {clock.removesuffix(' (s)')} time.")
     links = ", ".join(f"[{motion.title}]({measure.link(pictures[motion.key])})"
                       for motion in motions)
@@ -654,6 +736,9 @@ def main():
     parser.add_argument("--rounds", type=int, help="turns of all variants (default: 3, quick 1)")
     parser.add_argument("--motion", action="append", choices=[motion.key for motion in MOTIONS],
                         help="only this motion (may be repeated)")
+    parser.add_argument("--before", type=Path, metavar="DIR",
+                        help="build directory of the release with the segment of second order, "
+                             "which then is measured too (see bench/README.md)")
     parser.add_argument("--limit", type=float, default=600, help="longest run (s)")
     parser.add_argument("--from-csv", action="store_true",
                         help="run nothing: write the table of RESULTS.md from the last CSV file")
@@ -688,9 +773,10 @@ def main():
             draw(motion, own, clock, pictures[motion.key], conditions)
             measure.write_csv(folder / f"{options.stem}.csv", list(facts), rows)
     measure.write_csv(folder / f"{options.stem}.csv", facts, rows)
-    lines, median = summary(motions, rows, clock)
+    lines, median, before = summary(motions, rows, clock)
     print(measure.markdown(lines))
-    print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}")
+    print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}; of those "
+          f"that bend, old segment over new: {as_text(before, 'not measured')}")
     if options.publish:
         publish(options, facts, motions, rows, clock, pictures)
 

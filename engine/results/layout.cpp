@@ -240,8 +240,7 @@ const std::vector<RecordDataset<Profile>>& profile_datasets() {
                             "stress in body axes: twist moment, bending 1, bending 2, axial force, "
                             "shear 1, shear 2"),
         profile<&P::moment>("/profiles/moment", Rows::nodes, "N m",
-                            "moment at the nodes in body axes, the mean of what their segments "
-                            "bear there: twist moment, bending 1, bending 2"),
+                            "moment at the nodes in body axes: twist moment, bending 1, bending 2"),
         profile<&P::eccentricity>("/profiles/eccentricity", Rows::nodes, "m",
                                   "distance from the axis of the well, 0 without a well"),
         profile<&P::well_depth>("/profiles/well_depth", Rows::nodes, "m",

@@ -484,8 +484,8 @@ struct RodNodes {
 };
 
 /// What walls and mud do to the held velocities of nodes in a well. Where it is `heavy`, fluid
-/// moves sideways with the pipe.
-template <bool heavy>
+/// moves sideways with the pipe; where it is `damped`, so are their impulses.
+template <bool heavy, bool damped>
 struct WellNodes {
     WellNodes(const DirectorModel& model, Table<WallRow>& table, const NodeConstants& constants,
               const NodesIn& nodes, const HeldRows& held, std::ptrdiff_t first, double kick_s,
@@ -496,6 +496,7 @@ struct WellNodes {
           h(held),
           kick(kick_s),
           drift(drift_s),
+          external_damping(model.external_damping),
           friction(model.surroundings.parameters().friction),
           least_normal(model.surroundings.parameters().least_normal),
           restitution(model.surroundings.parameters().restitution),
@@ -509,12 +510,20 @@ struct WellNodes {
     WallRows wall;
     HeldRows h;
     double kick, drift;
+    DampingPair external_damping;
     FrictionParameters friction;
     double least_normal, restitution, viscosity, film, wet_in_contact, eccentric_axial;
 
+    /// D_ex, which is implicit, takes its part of what walls and mud give: without that a node at
+    /// rest would need less of the wall the longer the step.
     DRILLSTRAND_INLINE Mobility mobility(std::size_t k) const {
         const double along = kick * c.inverse_mass[k];
-        return {heavy ? h.across[k] : along, along, kick * c.inverse_polar[k]};
+        const double across = heavy ? h.across[k] : along;
+        const double rotation = kick * c.inverse_polar[k];
+        if constexpr (!damped) return {across, along, rotation};
+        const double kept = 1.0 / (1.0 + along * external_damping.translation);
+        return {kept * across, kept * along,
+                rotation / (1.0 + rotation * external_damping.rotation)};
     }
 
     /// Where the node is in the well.
@@ -522,11 +531,10 @@ struct WellNodes {
         double leaves, touches, touched, impact;
     };
     /// Finds its place, and its velocity along the directions of the well.
-    template <bool damped>
     DRILLSTRAND_INLINE Place surround(std::size_t k) const {
         const WellFrame frame = well_frame(in.x[k], wall.arc(k));
         const double dr = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
-        if constexpr (heavy) take_fluid_along<damped>(k, frame);
+        if constexpr (heavy) take_fluid_along(k, frame);
         const Triple v = at(h.v, k);
         Place place;
         place.leaves = foot_leaves(frame, wall.end_cosine[k], wall.reach[k]) ? 1.0 : 0.0;
@@ -549,7 +557,6 @@ struct WellNodes {
     /// alone would have had, it has the part m / M, M = m + fluid. Where M changes with the place,
     /// the fluid exerts v^2 grad M / 2 - v dM/dt, here at the mean of the velocities before and
     /// after the other forces.
-    template <bool damped>
     DRILLSTRAND_INLINE void take_fluid_along(std::size_t k, const WellFrame& frame) const {
         const AddedMass annulus = wall.annulus_mass(k, frame.eccentricity, film);
         const double fluid = wall.inside[k] + annulus.coefficient;
@@ -704,14 +711,15 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     if constexpr (!in_well) {
         return {ordered_sum(outflow, count), 0.0, 0.0, 0.0, faults};
     } else {
-        const WellNodes<heavy> well(model, wall, nodes.c, nodes.in, held, first, kick, drift);
+        const WellNodes<heavy, damped> well(model, wall, nodes.c, nodes.in, held, first, kick,
+                                            drift);
         double leavers = 0.0;
         double touching = 0.0;
         double touched = 0.0;
         double impacts = 0.0;
 #pragma omp simd reduction(+ : leavers, touching, touched, impacts)
         for (std::size_t k = 0; k < count; ++k) {
-            const auto place = well.template surround<damped>(k);
+            const auto place = well.surround(k);
             leavers += place.leaves;
             touching += place.touches;
             touched += place.touched;

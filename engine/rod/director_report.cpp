@@ -121,12 +121,68 @@ Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot
     return stress;
 }
 
-/// Moment that the rod bears at a node (N m): the mean of what the segments at it bear there.
-Vector3d moment_at(const DirectorString& string, const DirectorSnapshot& at, std::size_t node) {
+/// Second integral over s, from the bit, of what is left of an even load once the cells' shares at
+/// the nodes are taken from it (m2): h^2/12 where segments are alike, 0 at free ends.
+std::vector<double> spread_of_cells(const StringMesh& mesh) {
+    const std::size_t last = mesh.length.size();
+    std::vector<double> spread(last + 1, 0.0);
+    double left = 0;  // the first integral
+    for (std::size_t k = last; k > 0; --k) {
+        const double h = mesh.length[k - 1];
+        left -= mesh.cell[k];
+        spread[k - 1] = spread[k] + h * (left + 0.5 * h);
+        left += h;
+    }
+    return spread;
+}
+
+/// X - 1 over z/12: the moment with which a segment under axial force holds an even load between
+/// clamped ends, over q h^2/12.
+double fixed_end_moment(const BeamColumn& beam) {
+    const double z = beam.load.value;
+    return z == 0 ? 1.0 : 1.0 + 12 * beam.stability.symmetric / z;
+}
+
+/// What lies on a string per length, inertia included, as the forces in its segments tell (N/m). A
+/// wall presses between nodes where it does on both; a node that touches alone is held at a point.
+/// Nothing is asked of the bit, where cells are right.
+std::vector<Vector3d> spread_loads(const DirectorString& string, const DirectorSnapshot& at,
+                                   const std::vector<NodeContact>& contacts) {
     const std::size_t last = string.model.segments;
-    if (node == 0) return first_couple(at, 0);
-    if (node == last) return -last_couple(at, last - 1);
-    return 0.5 * (first_couple(at, node) - last_couple(at, node - 1));
+    const auto touches = [&](std::size_t k) { return contacts[k].penetration > 0 ? 1.0 : 0.0; };
+    std::vector<Vector3d> load(last + 1, Vector3d::Zero());
+    for (std::size_t k = 1; k < last; ++k) {
+        const Vector3d resultant =
+            at.segments.vector(SegmentRow::pull, k - 1) - at.segments.vector(SegmentRow::pull, k);
+        const double alone = 1 - 0.5 * (touches(k - 1) + touches(k + 1));
+        load[k] = resultant / string.scene.mesh.cell[k] - alone * contacts[k].force;
+    }
+    if (last > 2) load[0] = 2 * load[1] - load[2];
+    return load;
+}
+
+/// Moments that the rod bears at its nodes (N m): the mean of what the segments at a node bear
+/// there, less what the loads on them, which they know as forces on nodes, do between the nodes
+/// (engine/rod/README.md, "Moments at the nodes").
+std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const DirectorSnapshot& at,
+                                       const std::vector<NodeContact>& contacts) {
+    const std::size_t last = string.model.segments;
+    const std::vector<double> spread = spread_of_cells(string.scene.mesh);
+    const std::vector<Vector3d> load = spread_loads(string, at, contacts);
+    std::vector<double> held;
+    for (std::size_t k = 0; k < last; ++k)
+        held.push_back(fixed_end_moment(ReportedSegment(string.scene, k, at).beam));
+    std::vector<Vector3d> moment;
+    for (std::size_t k = 0; k <= last; ++k) {
+        const std::size_t above = k > 0 ? k - 1 : 0;
+        const std::size_t below = std::min(k, last - 1);
+        const Vector3d before = k > 0 ? Vector3d(-last_couple(at, above)) : first_couple(at, 0);
+        const Vector3d after = k < last ? first_couple(at, below) : before;
+        const Vector3d t = at.rod.vector(DirectorRow::director, k);
+        moment.emplace_back(0.5 * (before + after) +
+                            0.5 * (held[above] + held[below]) * spread[k] * t.cross(load[k]));
+    }
+    return moment;
 }
 
 double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
@@ -298,6 +354,8 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
     profile.time = state.clock.time;
     profile.stress = at.stress;
     profile.position = positions(string, at.rod);
+    const std::vector<Vector3d> moments = moments_at_nodes(
+        string, at, contacts_of(string.model.surroundings, at.wall, profile.position));
     for (std::size_t k = 0; k <= string.model.segments; ++k) {
         const Eigen::Matrix3d to_body = at.frame[k].transpose();
         Vector6 momentum;
@@ -306,7 +364,7 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         momentum[0] = at.rod.row(DirectorRow::spin)[k];
         momentum = momentum.cwiseProduct(inertia_of(scene, k, fluid_mass_at(at.wall, k)));
         profile.director.emplace_back(at.frame[k].col(0));
-        profile.moment.emplace_back(to_body * moment_at(string, at, k));
+        profile.moment.emplace_back(to_body * moments[k]);
         profile.momentum.push_back(momentum);
     }
     report_wall(string.scene, profile, string.model.surroundings, at.wall);

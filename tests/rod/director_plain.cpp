@@ -304,8 +304,12 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
 
     const Vector3d before = frame.transpose() * v;
     Vector3d u = before;
-    const double sideways = mass + node.fluid_mass;
-    const Mobility mobility = {kick / sideways, kick / mass, kick / polar};
+    // external damping makes the node as much heavier as it takes of what walls and mud give
+    const DampingPair& external = scene.damping.external;
+    const double along = mass + kick * external.translation;
+    const double sideways = (mass + node.fluid_mass) * along / mass;
+    const double turning = polar + kick * external.rotation;
+    const Mobility mobility = {kick / sideways, kick / along, kick / turning};
     const double depth = eccentricity + pipe - section.radius;
     if (depth > 0) {
         // spring and dashpot at the end of the step
@@ -335,8 +339,8 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
         node.spring = rub.spring;
         u += kick *
-             Vector3d(normal / sideways, rub.force.axial / mass, rub.force.azimuthal / sideways);
-        spin += kick / polar * pipe * rub.force.azimuthal;
+             Vector3d(normal / sideways, rub.force.axial / along, rub.force.azimuthal / sideways);
+        spin += kick / turning * pipe * rub.force.azimuthal;
     } else {
         node.spring = {};
         node.rebounds = 0;
@@ -344,7 +348,7 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
     if (scene.features.drag) {
         const Eigen::Matrix4d drag =
             textbook_drag(*scene.fluid, annulus, {std::hypot(u[0], u[2]), u[1], spin});
-        const Eigen::Vector4d inertia(sideways, mass, sideways, polar);
+        const Eigen::Vector4d inertia(sideways, along, sideways, turning);
         const Eigen::Matrix4d system = Eigen::Matrix4d(inertia.asDiagonal()) + kick * drag;
         const Eigen::Vector4d momentum =
             inertia.cwiseProduct(Eigen::Vector4d(u[0], u[1], u[2], spin));

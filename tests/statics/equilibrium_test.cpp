@@ -384,6 +384,96 @@ TEST(Capstan, TensionGrowsByTheExponentialOfFrictionTimesAngleAtSecondOrder) {
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
 }
 
+// ------------------------------------------------------------------ moments at the nodes
+
+double bending_at(const Equilibrium& found, std::size_t node) {
+    return found.profile.moment[node].tail<2>().norm();
+}
+
+/// Moment per load and length at s of a beam-column that is clamped at 0, free at `span`, and
+/// pulled with T = k^2 EI: M'' = k^2 M + 1, M'(0) = -span, M(span) = 0.
+double loaded_moment(double k, double span, double s) {
+    if (k == 0) return (span - s) * (span - s) / 2;
+    const double a = (span / k * std::sinh(k * span) + 1 / (k * k)) / std::cosh(k * span);
+    return a * std::cosh(k * s) - span / k * std::sinh(k * s) - 1 / (k * k);
+}
+
+TEST(MomentsAtTheNodes, UnderWeightAndTensionAreThoseOfTheBeamColumn) {
+    constexpr double bending = 1e8;
+    constexpr double h = 10;
+    for (const double z : {0.0, 1.0, 5.0}) {  // T h2/EI
+        const Equilibrium found = equilibrium_of(
+            "gravity = 1e-3\n" + test::rod({10 * h, bending, bending, 1e13, 1e14}) +
+            test::mesh(10) +
+            fmt::format("[head]\ndirection = [1, 0, 0]\n[bit]\nforce = [{:.17g}, 0, 0]\n",
+                        z * bending / (h * h)));
+        const double k = std::sqrt(z) / h;
+        const double largest = 1e-3 * loaded_moment(k, 10 * h, 0);
+        for (std::size_t node = 0; node <= 10; ++node) {
+            const double s = h * static_cast<double>(node);
+            EXPECT_NEAR(bending_at(found, node), 1e-3 * std::abs(loaded_moment(k, 10 * h, s)),
+                        2e-3 * largest)
+                << z << ", " << node;
+        }
+    }
+}
+
+TEST(MomentsAtTheNodes, OfAPipeThatIsPulledThroughABendAreThoseOfTheBend) {
+    // pressed to the inside with T/R all along: with T h2/EI = 5, the moments of a string that is
+    // held at its nodes alone are 39 % larger
+    constexpr double bend = 300;  // m
+    constexpr double bending = 1e6;
+    constexpr double pull = 5e4;  // N, on segments of 10 m
+    Case input = test::case_from("gravity = 0\n" + test::rod({300, bending, bending, 1e10, 1e10}) +
+                                 test::mesh(30));
+    input.well = test::well_through({{0, 0, 0}, {bend * pi / 2, pi / 2, 0}}, 0.102);
+    input.bit.direction = BitDirection::well;
+    input.bit.weight = -pull;
+    const double inside = 1e-3 + pull / bend / input.contact.normal_stiffness;
+    input.head.position = Vector3d(inside, 0, 0);
+    const Equilibrium found = find_equilibrium(build_scene(input));
+    for (std::size_t node = 8; node <= 22; ++node) {
+        EXPECT_GT(found.profile.normal_force[node], 0);
+        EXPECT_NEAR(bending_at(found, node), bending / (bend - inside), 1e-3 * bending / bend)
+            << node;
+    }
+}
+
+TEST(MomentsAtTheNodes, OverALoneSupportAreThoseOfAPointForce) {
+    // a level pipe with a joint in its middle that alone comes down to the wall
+    const auto part = [](double span, double diameter) {
+        return fmt::format(R"(
+            [[string.component]]
+            length = {}
+            outer_diameter = {}
+            linear_density = 1
+            inertia = 1e-6
+            bending_stiffness = 1e8
+            torsional_stiffness = 1e8
+            axial_stiffness = 1e12
+            shear_stiffness = 1e13
+        )",
+                           span, diameter);
+    };
+    for (const int half : {6, 12}) {
+        Case input = test::case_from("gravity = 9.81\n" + part(11.5, 0.1) + part(1, 0.298) +
+                                     part(11.5, 0.1) + test::mesh(2 * half));
+        input.well = test::well_through({{0, pi / 2, 0}, {1000, pi / 2, 0}}, 0.3);
+        const Scene scene = build_scene(input);
+        const Equilibrium found = find_equilibrium(scene);
+        const auto middle = static_cast<std::size_t>(half);
+        const double reaction = found.profile.normal_force[middle] * scene.mesh.cell[middle];
+        EXPECT_GT(reaction, 20);
+        for (std::size_t node = 0; node <= 2 * middle; ++node) {
+            const double left = 24 - scene.mesh.node_s[node];
+            const double lever = std::max(left - 12, 0.0);
+            EXPECT_NEAR(bending_at(found, node),
+                        std::abs(9.81 * left * left / 2 - reaction * lever), 1)
+                << half << ", " << node;
+        }
+    }
+}
+
 // ------------------------------------------------------------------ next to no weight
 
 /// A pipe of that length (m) that starts on the axis of a well which is vertical down to 200 m and
@@ -494,6 +584,25 @@ TEST(EquilibriumStart, ShippedWellsStayAtRestForTenSecondsWithoutDrive) {
         EXPECT_LT(end.energy.kinetic, 1e-6) << name;
         EXPECT_LT((end.bit_position - start).norm(), 1e-6) << name;
         EXPECT_GT(end.contact_nodes, scene.segments / 4) << name;
+    }
+}
+
+TEST(EquilibriumStart, ADampedStringAtRestPressesTheWallAsInEquilibriumAtAnyStep) {
+    Case input = test::case_from("gravity = 9.81\n" + test::table_3_pipe(100) + test::mesh(20) +
+                                 "[damping]\nexternal_translation = 300\nexternal_rotation = 3\n" +
+                                 "[contact]\nstatic_friction = 0\ndynamic_friction = 0\n");
+    input.well = test::well_through({{0, pi / 3, 0}, {100, pi / 2, 0}, {200, pi / 2, 0}}, 0.2);
+    input.initial.state = InitialState::equilibrium;
+    const Scene scene = starting_scene(input);
+    const std::vector<double> expected = find_equilibrium(scene).profile.normal_force;
+    for (const double cfl : {0.9, 0.3}) {
+        IntegratorOptions options = integrator_options(input.run);
+        options.cfl = cfl;
+        const auto leapfrog = make_integrator(scene, options);
+        leapfrog->advance(2, 1'000'000);
+        const std::vector<double> force = leapfrog->profile().normal_force;
+        for (std::size_t k = 0; k < force.size(); ++k)
+            EXPECT_NEAR(force[k], expected[k], 1e-6 * (1 + expected[k])) << cfl << ", " << k;
     }
 }
 
