@@ -88,8 +88,7 @@ def add_options(parser):
 
 def samples(file):
     """Times and values of each quantity in a result file, in its unit."""
-    series, profiles, node = file["series"], file["profiles"], file["mesh/node_s"][:]
-    cell = np.diff(np.concatenate([node[:1], (node[1:] + node[:-1]) / 2, node[-1:]]))
+    series, profiles, cell = file["series"], file["profiles"], file["string/cell"][:]
     moments, kinetic = series["time"][:], series["kinetic_energy"][:]
     inertia = float(np.sum(file["string/polar_inertia"][:] * cell))
     pure = 0.5 * inertia * series["head_rotation_rate"][:]**2
@@ -97,7 +96,7 @@ def samples(file):
         "hook load": (moments, series["hook_load"][:] / 1e3),
         "torque": (moments, series["surface_torque"][:] / 1e3),
         "wall force": (profiles["time"][:], profiles["normal_force"][:] @ cell / 1e3),
-        "in contact": (moments, 100 * series["contact_nodes"][:] / node.size),
+        "in contact": (moments, 100 * series["contact_nodes"][:] / cell.size),
         ROTATION: (moments, np.divide(kinetic, pure, out=np.zeros_like(kinetic), where=pure > 0)),
         DEPTH: (moments, 1e3 * series["max_penetration"][:]),
     }

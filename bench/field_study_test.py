@@ -14,7 +14,7 @@ from field_study import DEPTH, ROTATION, Motion, Times, Variation, last
 from kept_runs import KeptRuns, Task, in_toml
 
 RATE = 10.0  # rad/s
-NODE = np.array([0.0, 2.0, 4.0, 6.0])  # cells of 1, 2, 2 and 1 m
+CELL = np.array([1.0, 2.0, 2.0, 1.0])  # m
 INERTIA = 3.0  # kg m
 TIME = np.arange(0, 100.001, 0.5)
 
@@ -24,7 +24,7 @@ def write_result(path):
     with h5py.File(path, "w") as file:
         file.attrs["wall_seconds"] = 25.0
         for name, values in {
-                "mesh/node_s": NODE, "string/polar_inertia": np.full(4, INERTIA),
+                "string/cell": CELL, "string/polar_inertia": np.full(4, INERTIA),
                 "series/time": TIME, "series/hook_load": 1e3 * TIME,
                 "series/surface_torque": np.full(TIME.size, 2e3),
                 "series/contact_nodes": np.full(TIME.size, 3),

@@ -78,8 +78,7 @@ def numbers(path, before, after, rest):
         profile_time = file["profiles/time"][:]
         late_profiles = window_of(profile_time, after)
         gained = strain_energies(file)[late_profiles].mean(axis=0) - rest_energy
-        cell = np.gradient(file["mesh/node_s"][:])
-        force = file["profiles/normal_force"][:][late_profiles].mean(axis=0) * cell
+        force = file["profiles/normal_force"][:][late_profiles].mean(axis=0) * file["string/cell"][:]
         found = {"status": str(file.attrs["status"]),
                  "deepest in the wall (mm)": 1e3 * series["max_penetration"].max(),
                  "largest step (s)": float(file.attrs["largest_step"])}

@@ -105,6 +105,8 @@ const std::vector<RecordDataset<ResultHeader>>& mesh_datasets() {
 const std::vector<RecordDataset<ResultHeader>>& string_datasets() {
     using H = ResultHeader;
     static const std::vector<RecordDataset<H>> table = {
+        values<H, &H::cell>("/string/cell", Rows::nodes, "m",
+                            "length of string whose mass and loads the node carries"),
         values<H, &H::mass>("/string/mass", Rows::nodes, "kg/m", "mass per length"),
         values<H, &H::weight>("/string/weight", Rows::nodes, "N/m",
                               "weight per length, less that of the fluid displaced"),

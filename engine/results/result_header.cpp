@@ -11,6 +11,7 @@ ResultHeader result_header(const Case& input, const Scene& scene) {
         input.run.integrator == IntegratorKind::leapfrog ? "leapfrog" : "dormand-prince";
     header.node_s = scene.mesh.node_s;
     header.segment_s = scene.mesh.segment_s;
+    header.cell = scene.mesh.cell;
     header.weight = scene.weight;
     for (const SectionProperties& section : scene.mesh.node) {
         header.mass.push_back(section.mass);

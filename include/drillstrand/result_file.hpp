@@ -30,6 +30,7 @@ struct ResultHeader {
     std::vector<double> component_end;
 
     // The string on its mesh, for pictures and other programs. Empty where a file does not say.
+    std::vector<double> cell;           ///< N+1, length whose loads the node carries (m)
     std::vector<double> mass;           ///< N+1, per length (kg/m)
     std::vector<double> weight;         ///< N+1, per length, buoyed (N/m)
     std::vector<double> outer_radius;   ///< N+1 (m)

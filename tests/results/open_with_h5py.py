@@ -11,6 +11,7 @@ SHAPES = {
     "/string/component_name": (0,),
     "/string/component_start": (0,),
     "/string/component_end": (0,),
+    "/string/cell": (8,),
     "/string/mass": (8,),
     "/string/weight": (8,),
     "/string/outer_radius": (8,),

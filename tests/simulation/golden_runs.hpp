@@ -27,7 +27,7 @@ inline constexpr GoldenRun golden_runs[] = {
     {"horizontal_350kN",    {6,   "6fd86afd8eed2c0b"}, {0.002, "5267fd9119a99d90"}},
     {"horizontal_500kN",    {6,   "3cddb698387c9bf"}, {0.002, "5267fd9119a99d90"}},
     {"horizontal_1MN",      {6,   "b0a2e1403300b95e"}, {0.002, "5267fd9119a99d90"}},
-    {"horizontal_resolved", {0.5, "4ecfaa4a1041402f"}, {0.0005, "95d9d160863026f0"}},
+    {"horizontal_resolved", {0.5, "987d6957b84b2337"}, {0.0005, "95d9d160863026f0"}},
     {"well1",               {3,   "3b8de9e5c057f96b"}, {0.002, "115149cd310a4dee"}},
     {"well2",               {3,   "8f1ea0da8743f422"}, {0.002, "81ef2e209faf65c6"}},
     {"well2_drilling",      {3,   "e874ed2503693526"}, {0.002, "81ef2e209faf65c6"}},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "drillstrand/units.hpp"
@@ -142,27 +143,18 @@ Items run_items(const Result& result) {
     return items;
 }
 
-/// Sum of a quantity per length over the cells of the nodes, which end half-way between them.
-double total_of(const std::vector<double>& per_length, const std::vector<double>& node_s) {
-    double total = 0;
-    for (std::size_t k = 0; k < per_length.size(); ++k) {
-        const double from = k == 0 ? node_s[k] : (node_s[k - 1] + node_s[k]) / 2;
-        const double to = k + 1 == node_s.size() ? node_s[k] : (node_s[k] + node_s[k + 1]) / 2;
-        total += per_length[k] * (to - from);
-    }
-    return total;
-}
-
 Items string_items(const ResultHeader& header) {
     Items items = {quantity("length", "Length", header.node_s.back(), page_unit::length),
                    plain("segments", "Segments", fmt::format("{}", header.segment_s.size()))};
     if (header.mass.empty()) return items;
+    const auto total_of = [&](const std::vector<double>& per_length) {
+        return std::inner_product(per_length.begin(), per_length.end(), header.cell.begin(), 0.0);
+    };
     const auto [least, most] =
         std::minmax_element(header.outer_radius.begin(), header.outer_radius.end());
+    items.push_back(quantity("mass", "Mass", total_of(header.mass), page_unit::mass));
     items.push_back(
-        quantity("mass", "Mass", total_of(header.mass, header.node_s), page_unit::mass));
-    items.push_back(quantity("weight", "Weight in the fluid",
-                             total_of(header.weight, header.node_s), page_unit::force));
+        quantity("weight", "Weight in the fluid", total_of(header.weight), page_unit::force));
     if (*most > 0)
         items.push_back(range("outer-diameter", "Outer diameter", 2 * *least, 2 * *most,
                               page_unit::small_length));

@@ -192,10 +192,10 @@ void transfer(Pipe& pipe, std::optional<Value>& value) {
 template <class Pipe>
 void transfer(Pipe& pipe, ResultHeader& header) {
     auto& [title, case_text, integrator, threads, isa, node_s, segment_s, component_name,
-           component_start, component_end, mass, weight, outer_radius, polar_inertia, metal_area,
-           yield_tension, yield_bending, yield_torque, well] = header;
+           component_start, component_end, cell, mass, weight, outer_radius, polar_inertia,
+           metal_area, yield_tension, yield_bending, yield_torque, well] = header;
     transfer_all(pipe, title, case_text, integrator, threads, isa, node_s, segment_s,
-                 component_name, component_start, component_end, mass, weight, outer_radius,
+                 component_name, component_start, component_end, cell, mass, weight, outer_radius,
                  polar_inertia, metal_area, yield_tension, yield_bending, yield_torque, well);
 }
 

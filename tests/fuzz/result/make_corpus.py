@@ -60,7 +60,7 @@ def add_run(file, records, profiles, **storage):
 
 
 def add_scene(file):
-    for name in ["mass", "weight", "outer_radius", "polar_inertia"]:
+    for name in ["cell", "mass", "weight", "outer_radius", "polar_inertia"]:
         file["string/" + name] = numbers(NODES)
     for name in ["metal_area", "yield_tension", "yield_bending", "yield_torque"]:
         file["string/" + name] = numbers(SEGMENTS)
