@@ -336,6 +336,7 @@ Profile ArkodeStrand::profile() const {
         strain.emplace_back(stress.cwiseQuotient(stiffness_of(section)) +
                             stress_free_strain(section));
     }
+    profile.moment = moments_at_nodes(profile.stress);
     profile.position = positions(
         poses_from_strains(s.string.head.pose(s.head, s.time), s.scene.mesh.length, strain));
     return profile;

@@ -170,7 +170,7 @@ void add_strand_kernels(int segments) {
 DRILLSTRAND_KERNEL void drag_of_all(const double* eccentricity, double* sum, std::size_t count,
                                     double pipe, double hole) {
     const auto node = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-        const DragCoefficients c = drag_coefficients(eccentricity[k], pipe, hole);
+        const DragCoefficients c = drag_coefficients({eccentricity[k], pipe, hole});
         sum[k] = c.radial + c.axial + c.around + c.cross + c.spin;
     };
 #pragma omp simd

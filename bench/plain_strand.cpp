@@ -133,8 +133,8 @@ void PlainStrand::enter_arc(std::size_t node, std::size_t arc) {
 AddedMass PlainStrand::annulus_mass(std::size_t node, double eccentricity) const {
     const Node& n = node_[node];
     const double hole = contact_[node].numbers.radius;
-    const double at = drag_eccentricity(eccentricity, n.pipe, hole, parameters_.film);
-    const AddedMass added = added_mass(at, n.pipe, hole);
+    const double at = film_eccentricity(eccentricity, n.pipe, hole, parameters_.film);
+    const AddedMass added = added_mass({at, n.pipe, hole});
     return {n.displaced * added.coefficient, at < eccentricity ? 0.0 : n.displaced * added.slope};
 }
 
@@ -247,7 +247,7 @@ Six PlainStrand::surroundings(std::size_t node, const Six& velocity) {
         couple = n.pipe * rub.azimuthal;
     }
     if (scene_.features.drag && (c.depth <= 0 || p.contact_drag)) {
-        const double eccentricity = drag_eccentricity(frame.eccentricity, n.pipe, hole, p.film);
+        const double eccentricity = film_eccentricity(frame.eccentricity, n.pipe, hole, p.film);
         DragCoefficients drag = plain_drag_coefficients(eccentricity, n.pipe, hole);
         if (!p.eccentric_axial_drag) drag.axial = concentric_axial_drag(n.pipe, hole);
         drag = scaled(drag, p.viscosity);

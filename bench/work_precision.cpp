@@ -59,9 +59,9 @@ Overrides overrides(const Job& job) {
         if (at == std::string::npos) throw std::invalid_argument("--set " + setting + ": no '='");
         list.emplace_back(setting.substr(0, at), setting.substr(at + 1));
     }
-    // an equilibrium is that of the leapfrog's rod
-    const std::string integrator = job.method == "equilibrium" ? "leapfrog" : job.method;
-    if (job.method != "arkode") list.emplace_back("run.integrator", '"' + integrator + '"');
+    // equilibria are those of the leapfrog's rod; ARKODE integrates the strand of dormand-prince
+    const bool director_rod = job.method == "leapfrog" || job.method == "equilibrium";
+    list.emplace_back("run.integrator", director_rod ? "\"leapfrog\"" : "\"dormand-prince\"");
     return list;
 }
 

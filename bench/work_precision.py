@@ -432,13 +432,18 @@ def jobs_of(options, motion):
     doublings = 2 if options.quick else 3
     jobs = []
     ours = LEAPFROG + (EQUILIBRIUM if motion.rests else [])
-    if options.before:
-        ours = ours + [replace(variant, before=True) for variant in ours]
+    half = motion.segments // 2  # of fourth order, it may do on half the segments
     for variant in ours:
+        if half % motion.stations == 0:
+            jobs.append((variant, half))
         jobs += [(variant, motion.segments << i) for i in range(doublings + 1)]
+    if options.before:
+        # its nodes had the inertia of rigid pieces by default
+        old = [replace(variant, before=True, inertia=True) for variant in ours]
+        jobs += [(variant, motion.segments << i) for variant in old for i in range(doublings + 1)]
     for variant in DORMAND_PRINCE:
         jobs += [(variant, motion.segments << i) for i in range(doublings)]
-    if options.arkode:
+    if options.arkode and not motion.rests:  # it knows no side force
         for variant in ARKODE:
             jobs += [(variant, motion.segments << i) for i in range(2)]
     return jobs

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "forces/annulus.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/vector_math.hpp"
 
@@ -21,20 +22,13 @@ struct DragCoefficients {
 };
 
 /// Finn and Cox (2001) in a form that is regular in the concentric limit, and the exact axial
-/// Couette flow between eccentric cylinders. Lengths in m; eccentricity below hole - pipe.
-DRILLSTRAND_INLINE DragCoefficients drag_coefficients(double eccentricity, double pipe,
-                                                      double hole) {
+/// Couette flow between eccentric cylinders.
+DRILLSTRAND_INLINE DragCoefficients drag_coefficients(const Annulus& annulus) {
     constexpr double pi = 3.14159265358979323846;
-    const double e2 = eccentricity * eccentricity;
-    const double pipe2 = pipe * pipe;
-    const double hole2 = hole * hole;
-    const double q = 2.0 * pipe * hole;
-    const double t = std::sqrt((hole - pipe - eccentricity) * (hole + pipe - eccentricity) *
-                               (hole - pipe + eccentricity) * (hole + pipe + eccentricity));
-    const double sinh_d = t / q;
-    const double cosh_d = std::sqrt(1.0 + sinh_d * sinh_d);
-    // asinh(sinh D), to 1e-16 / D: films are not thin enough for more to matter
-    const double d = log1p_nonnegative(sinh_d + (cosh_d - 1.0));
+    const double e2 = annulus.eccentricity * annulus.eccentricity;
+    const double pipe2 = annulus.pipe * annulus.pipe;
+    const double hole2 = annulus.hole * annulus.hole;
+    const double d = annulus.distance;
     const double d2 = d * d;
 
     // Phi = D cosh D - sinh D; its difference form loses digits for small D.
@@ -44,10 +38,12 @@ DRILLSTRAND_INLINE DragCoefficients drag_coefficients(double eccentricity, doubl
                    (1.0 + d2 * (1.0 / 28.0) *
                               (1.0 + d2 * (1.0 / 54.0) *
                                          (1.0 + d2 * (1.0 / 88.0) * (1.0 + d2 * (1.0 / 130.0))))));
-    const double phi = d < 0.5 ? series : d * cosh_d - sinh_d;
-    const double scale = 4.0 * pi / (q * phi + e2 * d);
-    return {4.0 * pi * cosh_d / phi, 2.0 * pi / d, scale * (pipe2 + hole2),
-            -scale * pipe2 * eccentricity, scale * pipe2 * (hole2 * phi / sinh_d + e2)};
+    const double phi = d < 0.5 ? series : d * annulus.cosh - annulus.sinh;
+    const FourInverses inverse(phi, d, 2.0 * annulus.pipe * annulus.hole * phi + e2 * d,
+                               annulus.sinh);
+    const double scale = 4.0 * pi * inverse.c;
+    return {4.0 * pi * annulus.cosh * inverse.a, 2.0 * pi * inverse.b, scale * (pipe2 + hole2),
+            -scale * pipe2 * annulus.eccentricity, scale * pipe2 * (hole2 * phi * inverse.d + e2)};
 }
 
 /// Axial drag coefficient of concentric cylinders, the paper's choice.
@@ -55,14 +51,6 @@ DRILLSTRAND_INLINE double concentric_axial_drag(double pipe, double hole) {
     constexpr double pi = 3.14159265358979323846;
     // 2 pi / ln(hole / pipe)
     return 2.0 * pi / log1p_nonnegative((hole - pipe) / pipe);
-}
-
-/// Eccentricity for the drag: the film counts as no thinner than `film` times the clearance, which
-/// keeps the near-touching limit finite and leaves every other position exact.
-DRILLSTRAND_INLINE double drag_eccentricity(double eccentricity, double pipe, double hole,
-                                            double film) {
-    const double most = (1.0 - film) * (hole - pipe);
-    return eccentricity < most ? eccentricity : most;
 }
 
 /// All coefficients times a number: the viscosity, or 0 where there is no drag.

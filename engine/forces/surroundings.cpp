@@ -155,10 +155,10 @@ double Surroundings::fluid_mass(const Table<WallRow>& wall, std::size_t node,
         well_frame(triple(position), numbers_of(well_->arcs()[arc(wall, node)]));
     const double pipe_radius = row(pipe)[node];
     const double hole_radius = wall.row(WallRow::hole)[node];
-    return row(inside)[node] +
-           row(displaced)[node] *
-               added_mass_up_to_film(frame.eccentricity, pipe_radius, hole_radius, parameters_.film)
-                   .coefficient;
+    const Annulus annulus(
+        film_eccentricity(frame.eccentricity, pipe_radius, hole_radius, parameters_.film),
+        pipe_radius, hole_radius);
+    return row(inside)[node] + row(displaced)[node] * added_mass(annulus).coefficient;
 }
 
 NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,

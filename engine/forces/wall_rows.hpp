@@ -61,11 +61,14 @@ struct WallRows {
     DRILLSTRAND_INLINE FlowInertia flow(std::size_t k) const {
         return {cross_flow[k], swirl[k], swirl_reynolds[k], stream[k]};
     }
-    /// Added mass of the annulus at a node (kg/m), and its slope over the eccentricity. The film
-    /// counts as for the drag.
-    DRILLSTRAND_INLINE AddedMass annulus_mass(std::size_t k, double eccentricity,
-                                              double film) const {
-        const AddedMass added = added_mass_up_to_film(eccentricity, pipe[k], hole[k], film);
+    /// The annulus at a node that is eccentric, with its film.
+    DRILLSTRAND_INLINE Annulus annulus(std::size_t k, double eccentricity, double film) const {
+        return {film_eccentricity(eccentricity, pipe[k], hole[k], film), pipe[k], hole[k]};
+    }
+    /// Added mass of the annulus at a node (kg/m), and its slope over the eccentricity.
+    DRILLSTRAND_INLINE AddedMass annulus_mass(std::size_t k, const Annulus& annulus,
+                                              double eccentricity) const {
+        const AddedMass added = added_mass(annulus, eccentricity);
         return {displaced[k] * added.coefficient, displaced[k] * added.slope};
     }
     DRILLSTRAND_INLINE FrictionSpring spring(std::size_t k) const {

@@ -21,6 +21,9 @@ struct SegmentBend {
 
     DRILLSTRAND_INLINE SegmentBend(const Triple& ta, const Triple& tb)
         : turn(cross(ta, tb)), cosine(dot(ta, tb)), inverse_one(1.0 / (1.0 + cosine)) {}
+    /// What was computed before.
+    DRILLSTRAND_INLINE SegmentBend(const Triple& a, double cos_b, double inverse)
+        : turn(a), cosine(cos_b), inverse_one(inverse) {}
 
     /// f of b up to 90 degrees, from tan(b/2) = |t_a x t_b| / (1 + cos b).
     [[nodiscard]] DRILLSTRAND_INLINE double factor() const {
@@ -59,6 +62,15 @@ struct SegmentChord {
         cosine = dot(along, mean);
         deviation = combine(1.0, along, -cosine, mean);
     }
+    /// What was computed before.
+    DRILLSTRAND_INLINE SegmentChord(double c, double inverse_c, const Triple& e, const Triple& m,
+                                    double cos_phi, const Triple& turned)
+        : ratio(c),
+          inverse_ratio(inverse_c),
+          along(e),
+          mean(m),
+          cosine(cos_phi),
+          deviation(turned) {}
     /// phi^2
     [[nodiscard]] DRILLSTRAND_INLINE double angle2() const { return 2.0 * (1.0 - cosine); }
 };
@@ -119,9 +131,26 @@ struct BowedLoad {
         : free(free_load),
           bow(bow_of_arc),
           root(std::sqrt((free + 30.0 - bow) * (free + 30.0 - bow) + 120.0 * bow)),
-          value(0.5 * (free - 30.0 - bow + root)),
-          by_free(0.5 * (1.0 + (free + 30.0 - bow) / root)),
-          by_bow(0.5 * ((30.0 + bow - free) / root - 1.0)) {}
+          value(0.5 * (free - 30.0 - bow + root)) {
+        const double inverse = 1.0 / root;
+        by_free = 0.5 * (1.0 + (free + 30.0 - bow) * inverse);
+        by_bow = 0.5 * ((30.0 + bow - free) * inverse - 1.0);
+    }
+};
+
+/// Forces of a beam-column.
+struct ColumnForces {
+    double stretching;  ///< S, below
+    double tension;     ///< n = dV/deps / h (N)
+    double moment;      ///< couple of axial force over b h: what it adds to EI/h^2 (N)
+    double shearing;    ///< P: force across over phi (N)
+
+    /// The force on the first node along and across the chord; its reaction acts on the last (N).
+    [[nodiscard]] DRILLSTRAND_INLINE Triple pull(const SegmentChord& chord) const {
+        const double across = shearing * chord.inverse_ratio;
+        return combine(tension * stretching + across * chord.cosine, chord.along, -across,
+                       chord.mean);
+    }
 };
 
 /// The exact beam-column between two nodes, from the angle b between its directors and the angle
@@ -141,9 +170,9 @@ struct BeamColumn {
     BowedLoad load;
     StabilityFunctions stability;
     double lack;      ///< of load, for the largest energy: d(V/h)/dz EA h^2/EI over EI/h^2
-    double tension;   ///< n = dV/deps / h (N)
-    double moment;    ///< couple of axial force over b h: what it adds to EI/h^2 (N)
-    double shearing;  ///< P: force across over phi (N)
+    double tension;   ///< as in ColumnForces
+    double moment;    ///< as in ColumnForces
+    double shearing;  ///< as in ColumnForces
 
     DRILLSTRAND_INLINE BeamColumn(const SegmentStiffness& k, const SegmentChord& chord,
                                   double bend_squared)
@@ -163,11 +192,8 @@ struct BeamColumn {
           shearing(k.deviation * (stability.antisymmetric + lack * load.by_bow * (1.0 / 140.0)) +
                    tension * chord.ratio * 0.2) {}
 
-    /// The force on the first node along and across the chord; its reaction acts on the last (N).
-    [[nodiscard]] DRILLSTRAND_INLINE Triple pull(const SegmentChord& chord) const {
-        const double across = shearing * chord.inverse_ratio;
-        return combine(tension * stretching + across * chord.cosine, chord.along, -across,
-                       chord.mean);
+    [[nodiscard]] DRILLSTRAND_INLINE ColumnForces forces() const {
+        return {stretching, tension, moment, shearing};
     }
     /// V/h, as above (N).
     [[nodiscard]] double energy(const SegmentStiffness& k) const {

@@ -75,19 +75,20 @@ namespace {
 
 using Constants = DirectorConstants;
 
-/// Half the area on the unit sphere of the triangle a, b, c, as the tangent of a small angle.
-DRILLSTRAND_INLINE double half_triangle(const Triple& a, const Triple& b, const Triple& c) {
-    const double volume = dot(a, cross(b, c));
-    return volume / (1.0 + dot(a, b) + dot(b, c) + dot(c, a));
-}
-
 /// The change of twist that moving directors cause: area of the quadrilateral of the two directors
-/// before and after. arctan x = x - x^3/3: steps turn directors by milliradians.
+/// before and after, cut into the triangles a0 b0 b1 and a0 b1 a1. The tangent of half the area of
+/// a, b, c is a . (b x c) / (1 + a . b + b . c + c . a); arctan x = x - x^3/3: steps turn directors
+/// by milliradians.
 DRILLSTRAND_INLINE double swept_area(const Triple& a0, const Triple& b0, const Triple& b1,
                                      const Triple& a1) {
-    const double x = half_triangle(a0, b0, b1);
-    const double y = half_triangle(a0, b1, a1);
-    return 2.0 * (x - x * x * x * (1.0 / 3.0) + y - y * y * y * (1.0 / 3.0));
+    const Triple normal = cross(b1, a0);
+    const double one = 1.0 + dot(b1, a0);
+    const double first = one + dot(a0, b0) + dot(b0, b1);
+    const double last = one + dot(b1, a1) + dot(a1, a0);
+    const double inverse = 1.0 / (first * last);
+    const double x = dot(b0, normal) * last * inverse;
+    const double y = -dot(a1, normal) * first * inverse;
+    return 2.0 * (x + y - (x * x * x + y * y * y) * (1.0 / 3.0));
 }
 
 DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
@@ -169,12 +170,86 @@ struct NodeConstants {
 
 // ------------------------------------------------------------------ segments
 
+/// Lines of numbers of a span's segments or nodes that one of its loops hands to the next, in the
+/// first-level cache. Several short loops take less time than one long one: the processor works at
+/// two rounds of a loop at once where both fit into what it looks ahead.
+template <std::size_t count>
+struct HeldLines {
+    static constexpr std::size_t entries = most_blocks_at_once * block_size;
+    alignas(block_alignment) double line[count][entries];
+
+    DRILLSTRAND_INLINE Triples triples(std::size_t i) {
+        return {line[i], line[i + 1], line[i + 2]};
+    }
+};
+
+DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
+    return {rows.x[k], rows.y[k], rows.z[k]};
+}
+
+/// Shapes of segments and the forces of their beam-columns.
+using HeldSegments = HeldLines<23>;
+struct HeldSegmentRows {
+    explicit HeldSegmentRows(HeldSegments& held)
+        : turn(held.triples(0)),
+          along(held.triples(3)),
+          mean(held.triples(6)),
+          deviation(held.triples(9)),
+          bend_cosine(held.line[12]),
+          inverse_one(held.line[13]),
+          factor(held.line[14]),
+          inverse_both(held.line[15]),
+          ratio(held.line[16]),
+          inverse_ratio(held.line[17]),
+          chord_cosine(held.line[18]),
+          stretching(held.line[19]),
+          tension(held.line[20]),
+          moment(held.line[21]),
+          shearing(held.line[22]) {}
+    Triples turn, along, mean, deviation;
+    double *bend_cosine, *inverse_one, *factor, *inverse_both, *ratio, *inverse_ratio,
+        *chord_cosine, *stretching, *tension, *moment, *shearing;
+
+    DRILLSTRAND_INLINE void set(std::size_t k, const SegmentBend& arc) const {
+        turn.set(k, arc.turn);
+        bend_cosine[k] = arc.cosine;
+        inverse_one[k] = arc.inverse_one;
+    }
+    [[nodiscard]] DRILLSTRAND_INLINE SegmentBend arc(std::size_t k) const {
+        return {at(turn, k), bend_cosine[k], inverse_one[k]};
+    }
+    DRILLSTRAND_INLINE void set(std::size_t k, const SegmentChord& chord) const {
+        ratio[k] = chord.ratio;
+        inverse_ratio[k] = chord.inverse_ratio;
+        along.set(k, chord.along);
+        mean.set(k, chord.mean);
+        chord_cosine[k] = chord.cosine;
+        deviation.set(k, chord.deviation);
+    }
+    [[nodiscard]] DRILLSTRAND_INLINE SegmentChord chord(std::size_t k) const {
+        return {ratio[k],    inverse_ratio[k], at(along, k),
+                at(mean, k), chord_cosine[k],  at(deviation, k)};
+    }
+    DRILLSTRAND_INLINE void set(std::size_t k, const ColumnForces& column) const {
+        stretching[k] = column.stretching;
+        tension[k] = column.tension;
+        moment[k] = column.moment;
+        shearing[k] = column.shearing;
+    }
+    [[nodiscard]] DRILLSTRAND_INLINE ColumnForces column(std::size_t k) const {
+        return {stretching[k], tension[k], moment[k], shearing[k]};
+    }
+};
+
 template <Damping damping, bool curved>
 DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table<DirectorRow>& rod,
                                          Table<SegmentRow>& segments, BlockSpan span,
                                          double drift) {
     const auto first = static_cast<std::ptrdiff_t>(span.begin * block_size);
     const std::size_t count = span.entries();
+    if (count == 0) return;  // or the compiler would keep scalar loops for it
+    HeldSegments scratch;
+    const HeldSegmentRows held(scratch);
     const SegmentConstants c(model.constants, first);
     const NodesIn a_node(rod, first);
     const NodesIn b_node(rod, first + 1);
@@ -182,26 +257,42 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
     const double kelvin_voigt = model.kelvin_voigt;
     const DampingPair internal_damping = model.internal_damping;
 
-    const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+    const auto shape = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        const SegmentBend arc(a_node.t[k], b_node.t[k]);
+        const double inverse_both = arc.inverse_both();
+        held.set(k, arc);
+        held.factor[k] = arc.factor();
+        held.inverse_both[k] = inverse_both;
+        held.set(k, SegmentChord(a_node.x[k], b_node.x[k], c.inverse_length[k], a_node.t[k],
+                                 b_node.t[k], inverse_both));
+    };
+    const auto column = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        const Triple a = at(held.turn, k);
+        const double factor = held.factor[k];
+        held.set(k,
+                 BeamColumn(c.stiffness[k], held.chord(k), factor * factor * dot(a, a)).forces());
+    };
+    const auto forces = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const double h = c.length[k];
         const double ih = c.inverse_length[k];
         const Triple ta = a_node.t[k];
         const Triple tb = b_node.t[k];
-
-        const SegmentBend arc(ta, tb);
-        const Triple& a = arc.turn;
-        const double factor = arc.factor();
         const SegmentStiffness stiffness = c.stiffness[k];
-        const SegmentChord chord(a_node.x[k], b_node.x[k], ih, ta, tb, arc.inverse_both());
+        const SegmentBend arc = held.arc(k);
+        const Triple& a = arc.turn;
+        const double factor = held.factor[k];
+        const double inverse_both = held.inverse_both[k];
+        const SegmentChord chord = held.chord(k);
+        const ColumnForces beam = held.column(k);
         const double sine2 = dot(a, a);
-        const BeamColumn beam(stiffness, chord, factor * factor * sine2);
 
         // the twist of the frames: h tau += dt (s_k+1 - s_k) + swept area
         const double twist =
             a_node.last_twist[k] + ih * (drift * (b_node.s[k] - a_node.s[k]) +
                                          swept_area(a_node.last_t[k], b_node.last_t[k], tb, ta));
         const double share = stiffness.bending_share;
-        double strain = twist + share * ih * twist_of_deviation(chord, a);
+        const double deviation = twist_of_deviation(chord, a);
+        double strain = twist + share * ih * deviation;
         Triple own_a{};
         Triple own_b{};
         if constexpr (curved) {
@@ -214,29 +305,29 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
         // gradients of the energy by D and by both directors
         const Triple& e = chord.along;
         const double twisting = strain_torque * share;
-        Triple by_chord = scaled(twisting, a);
         const double bending =
             h * ((beam.moment + stiffness.bending) * factor -
                  strain_torque * strain_torque * stiffness.bent_twisting * arc.cosine);
-        Triple by_mean = scaled(-h * beam.shearing, chord.deviation);
+        // (t_a x t_b stands across the mean director: its part along the chord is `deviation`)
+        const double by_length = ih * chord.inverse_ratio;
+        Triple pull =
+            combine(1.0, beam.pull(chord), by_length * twisting, combine(1.0, a, -deviation, e));
         Triple first_lean = combine(bending, tb, twisting, cross(e, tb));
         Triple last_lean = combine(bending, ta, twisting, cross(ta, e));
+        Triple both = scaled(h * beam.shearing * inverse_both, chord.deviation);
         double torque = strain_torque;
         if constexpr (curved) {
             const OwnCurvature own(stiffness, h, ta, tb, arc, factor, chord, h * twist,
                                    strain_torque, own_a, own_b);
             first_lean = combine(1.0, first_lean, -1.0, own.by_first);
             last_lean = combine(1.0, last_lean, -1.0, own.by_last);
-            by_chord = combine(1.0, by_chord, 1.0, own.by_chord);
-            by_mean = combine(1.0, by_mean, 1.0, own.by_mean);
+            pull = combine(1.0, pull, by_length, without(own.by_chord, e));
+            both = combine(1.0, both, -inverse_both, without(own.by_mean, chord.mean));
             torque += own.by_twist;
             out.first_couple.set(k, cross(own.by_own_first, own_a));
             out.last_couple.set(k, cross(own.by_own_last, own_b));
         }
-        const Triple pull =
-            combine(1.0, beam.pull(chord), ih * chord.inverse_ratio, without(by_chord, e));
-        if constexpr (curved) by_mean = without(by_mean, chord.mean);
-        const Triple both = combine(-arc.inverse_both(), by_mean, -torque * arc.inverse_one, a);
+        both = combine(1.0, both, -torque * arc.inverse_one, a);
         first_lean = combine(1.0, first_lean, 1.0, both);
         last_lean = combine(1.0, last_lean, 1.0, both);
         if constexpr (damping != Damping::none) {
@@ -277,7 +368,13 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
     };
 #pragma omp simd
     for (std::size_t k = 0; k < count; ++k)
-        segment(k);
+        shape(k);
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k)
+        column(k);
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k)
+        forces(k);
 }
 
 // ------------------------------------------------------------------ nodes
@@ -286,21 +383,14 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
 /// streaming mud by its inertia as well.
 enum class Around { nothing, wall, mud, streaming_mud };
 
-/// Velocities and the well frame between the loops of a span in a well.
-struct Held {
-    static constexpr std::size_t entries = most_blocks_at_once * block_size;
-    alignas(block_alignment) double line[21][entries];
-
-    DRILLSTRAND_INLINE Triples triples(std::size_t i) {
-        return {line[i], line[i + 1], line[i + 2]};
-    }
-};
-
-/// Named lines of what is held: the velocity and the spin after the rod's forces and the damping
+/// Velocities and the well frame of nodes in a well.
+using Held = HeldLines<31>;
+/// The velocity and the spin after the rod's forces and the damping
 /// (`v`, `s`) and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity
 /// in it (`u`), the eccentricity, what a force across the well does to the velocity (`across`: kick
-/// over the mass that moves sideways), and 1 where the node came to the wall since the last step
-/// (`came`).
+/// over the mass that moves sideways), 1 where the node came to the wall since the last step
+/// (`came`), the annulus around it, the mass of the fluid that goes along and its slope, and the
+/// drag of creeping flow.
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -315,14 +405,22 @@ struct HeldRows {
           eccentricity(held.line[17]),
           across(held.line[18]),
           fluid_mass(held.line[19]),
-          came(held.line[20]) {}
+          came(held.line[20]),
+          annulus_spread(held.line[21]),
+          annulus_sinh(held.line[22]),
+          annulus_cosh(held.line[23]),
+          annulus_distance(held.line[24]),
+          fluid_slope(held.line[25]),
+          drag_radial(held.line[26]),
+          drag_axial(held.line[27]),
+          drag_around(held.line[28]),
+          drag_cross(held.line[29]),
+          drag_spin(held.line[30]) {}
     Triples v, v_rod, r, l;
-    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came;
+    double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came,
+        *annulus_spread, *annulus_sinh, *annulus_cosh, *annulus_distance, *fluid_slope,
+        *drag_radial, *drag_axial, *drag_around, *drag_cross, *drag_spin;
 };
-
-DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
-    return {rows.x[k], rows.y[k], rows.z[k]};
-}
 
 /// The forces of the rod on its nodes, and their motion.
 template <bool wall, bool heavy, Damping damping, bool curved>
@@ -530,12 +628,10 @@ struct WellNodes {
     struct Place {
         double leaves, touches, touched, impact;
     };
-    /// Finds its place, and its velocity along the directions of the well.
+    /// Finds its place, and, where no fluid goes along, its velocity in the well.
     DRILLSTRAND_INLINE Place surround(std::size_t k) const {
         const WellFrame frame = well_frame(in.x[k], wall.arc(k));
         const double dr = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
-        if constexpr (heavy) take_fluid_along(k, frame);
-        const Triple v = at(h.v, k);
         Place place;
         place.leaves = foot_leaves(frame, wall.end_cosine[k], wall.reach[k]) ? 1.0 : 0.0;
         place.touches = dr > 0.0 ? 1.0 : 0.0;
@@ -547,36 +643,62 @@ struct WellNodes {
         h.came[k] = place.impact;
         h.r.set(k, frame.r);
         h.l.set(k, frame.l);
-        h.u_r[k] = dot(v, frame.r);
-        h.u_l[k] = dot(v, frame.l);
-        h.u_t[k] = dot(v, frame.t);
+        if constexpr (!heavy) project(k);
         return place;
+    }
+
+    /// Its velocity along the directions of the well.
+    DRILLSTRAND_INLINE void project(std::size_t k) const {
+        const Triple v = at(h.v, k);
+        const Triple r = at(h.r, k);
+        const Triple l = at(h.l, k);
+        h.u_r[k] = dot(v, r);
+        h.u_l[k] = dot(v, l);
+        h.u_t[k] = dot(v, cross(r, l));
+    }
+
+    /// The annulus around it.
+    DRILLSTRAND_INLINE void enclose(std::size_t k) const {
+        const Annulus annulus = wall.annulus(k, h.eccentricity[k], film);
+        h.annulus_spread[k] = annulus.spread;
+        h.annulus_sinh[k] = annulus.sinh;
+        h.annulus_cosh[k] = annulus.cosh;
+        h.annulus_distance[k] = annulus.distance;
+    }
+
+    /// The fluid around it and in it.
+    DRILLSTRAND_INLINE void weigh_fluid(std::size_t k) const {
+        const AddedMass added = wall.annulus_mass(k, annulus(k), h.eccentricity[k]);
+        h.fluid_mass[k] = wall.inside[k] + added.coefficient;
+        h.fluid_slope[k] = added.slope;
     }
 
     /// Sideways the forces until now moved the fluid too: of the change of velocity that the pipe
     /// alone would have had, it has the part m / M, M = m + fluid. Where M changes with the place,
     /// the fluid exerts v^2 grad M / 2 - v dM/dt, here at the mean of the velocities before and
     /// after the other forces.
-    DRILLSTRAND_INLINE void take_fluid_along(std::size_t k, const WellFrame& frame) const {
-        const AddedMass annulus = wall.annulus_mass(k, frame.eccentricity, film);
-        const double fluid = wall.inside[k] + annulus.coefficient;
+    DRILLSTRAND_INLINE void take_fluid_along(std::size_t k) const {
+        const Triple r = at(h.r, k);
+        const Triple l = at(h.l, k);
+        const Triple t = cross(r, l);
+        const double fluid = h.fluid_mass[k];
         const double inverse = 1.0 / (c.mass[k] + fluid);
         const double kept = fluid * inverse;
         const Triple before = in.v[k];
         const auto slowed = [&](const Triple& v) {
             const Triple change = combine(1.0, v, -1.0, before);
-            const Triple across = combine(1.0, change, -dot(change, frame.l), frame.l);
+            const Triple across = combine(1.0, change, -dot(change, l), l);
             return combine(1.0, v, -kept, across);
         };
         const Triple v_rod = slowed(damped ? at(h.v_rod, k) : at(h.v, k));
-        const double v_r = 0.5 * (dot(before, frame.r) + dot(v_rod, frame.r));
-        const double v_t = 0.5 * (dot(before, frame.t) + dot(v_rod, frame.t));
-        const double rate = kick * annulus.slope * inverse;
+        const double v_r = 0.5 * (dot(before, r) + dot(v_rod, r));
+        const double v_t = 0.5 * (dot(before, t) + dot(v_rod, t));
+        const double rate = kick * h.fluid_slope[k] * inverse;
         // bounded, should a node be faster than the fluid can go out of its way
         const double gain = rate / (1.0 + std::abs(rate) * std::sqrt(v_r * v_r + v_t * v_t));
         const double by_r = 0.5 * gain * (v_r * v_r - v_t * v_t);
         const double by_t = gain * v_r * v_t;
-        const Triple push = combine(by_r, frame.r, by_t, frame.t);
+        const Triple push = combine(by_r, r, by_t, t);
         if constexpr (damped) {
             h.v.set(k, combine(1.0, slowed(at(h.v, k)), 1.0, push));
             h.v_rod.set(k, combine(1.0, v_rod, 1.0, push));
@@ -584,8 +706,8 @@ struct WellNodes {
             h.v.set(k, combine(1.0, v_rod, 1.0, push));
         }
         h.across[k] = kick * inverse;
-        h.fluid_mass[k] = fluid;
         wall.fluid_mass[k] = fluid;
+        project(k);
     }
 
     DRILLSTRAND_INLINE void press(std::size_t k) const {
@@ -651,13 +773,34 @@ struct WellNodes {
         return slip;
     }
 
-    template <bool streaming>
-    DRILLSTRAND_INLINE void wade(std::size_t k) const {
-        const double eccentricity =
-            drag_eccentricity(h.eccentricity[k], wall.pipe[k], wall.hole[k], film);
-        DragCoefficients drag = drag_coefficients(eccentricity, wall.pipe[k], wall.hole[k]);
+    /// The annulus around the node: fluid that goes along knows it already.
+    DRILLSTRAND_INLINE Annulus annulus(std::size_t k) const {
+        if constexpr (!heavy) return wall.annulus(k, h.eccentricity[k], film);
+        return {film_eccentricity(h.eccentricity[k], wall.pipe[k], wall.hole[k], film),
+                wall.pipe[k],
+                wall.hole[k],
+                h.annulus_spread[k],
+                h.annulus_sinh[k],
+                h.annulus_cosh[k],
+                h.annulus_distance[k]};
+    }
+
+    /// What creeping flow does to it.
+    DRILLSTRAND_INLINE void creep(std::size_t k) const {
+        DragCoefficients drag = drag_coefficients(annulus(k));
         drag.axial = eccentric_axial * drag.axial + wall.concentric_axial[k];
         drag = scaled(drag, viscosity);
+        h.drag_radial[k] = drag.radial;
+        h.drag_axial[k] = drag.axial;
+        h.drag_around[k] = drag.around;
+        h.drag_cross[k] = drag.cross;
+        h.drag_spin[k] = drag.spin;
+    }
+
+    template <bool streaming>
+    DRILLSTRAND_INLINE void wade(std::size_t k) const {
+        DragCoefficients drag = {h.drag_radial[k], h.drag_axial[k], h.drag_around[k],
+                                 h.drag_cross[k], h.drag_spin[k]};
         const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
         if constexpr (streaming) {
             drag = with_inertia(drag, wall.flow(k), wall.pipe[k], std::sqrt(u.r * u.r + u.t * u.t),
@@ -725,6 +868,17 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
             touched += place.touched;
             impacts += place.impact;
         }
+        if constexpr (heavy) {
+#pragma omp simd
+            for (std::size_t k = 0; k < count; ++k)
+                well.enclose(k);
+#pragma omp simd
+            for (std::size_t k = 0; k < count; ++k)
+                well.weigh_fluid(k);
+#pragma omp simd
+            for (std::size_t k = 0; k < count; ++k)
+                well.take_fluid_along(k);
+        }
 
         // pressing and rubbing in two loops: what waits for the one does not hold up the other
         double slips = 0.0;
@@ -752,6 +906,9 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
         constexpr bool in_mud = around == Around::mud || around == Around::streaming_mud;
         if constexpr (in_mud) {
             if (well.wet_in_contact > 0.0 || touching < static_cast<double>(count)) {
+#pragma omp simd
+                for (std::size_t k = 0; k < count; ++k)
+                    well.creep(k);
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
                     well.template wade<around == Around::streaming_mud>(k);

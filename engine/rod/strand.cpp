@@ -411,10 +411,8 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             double f_t = rub.azimuthal;
             double c_l = around_node.pipe[k] * rub.azimuthal;
             if constexpr (with_drag) {
-                const double eccentricity = drag_eccentricity(
-                    frame.eccentricity, around_node.pipe[k], around_node.hole[k], film);
                 DragCoefficients drag =
-                    drag_coefficients(eccentricity, around_node.pipe[k], around_node.hole[k]);
+                    drag_coefficients(around_node.annulus(k, frame.eccentricity, film));
                 drag.axial = eccentric_axial * drag.axial + around_node.concentric_axial[k];
                 drag = scaled(drag, viscosity);
                 // without inertia of the flow its coefficients are 0
@@ -430,8 +428,9 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             if constexpr (heavy) {
                 // the fluid's v^2 grad M / 2; its v dM/dt is in the momentum. Its power is that of
                 // the changing mass, -v^2 dM/dt / 2: both move energy within what moves sideways
-                const AddedMass annulus = around_node.annulus_mass(k, frame.eccentricity, film);
-                const double by_fluid = -0.5 * (v_r * v_r + v_t * v_t) * annulus.slope;
+                const AddedMass added = around_node.annulus_mass(
+                    k, around_node.annulus(k, frame.eccentricity, film), frame.eccentricity);
+                const double by_fluid = -0.5 * (v_r * v_r + v_t * v_t) * added.slope;
                 f_r += by_fluid;
                 power -= c.mobile_cell[k] * by_fluid * v_r;
             }

@@ -193,9 +193,6 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     return record;
 }
 
-namespace {
-
-/// Segments bear one moment all along: at a node the mean of its neighbours'.
 std::vector<Eigen::Vector3d> moments_at_nodes(const std::vector<Vector6>& stress) {
     std::vector<Eigen::Vector3d> moment;
     for (std::size_t k = 0; k <= stress.size(); ++k) {
@@ -205,8 +202,6 @@ std::vector<Eigen::Vector3d> moments_at_nodes(const std::vector<Vector6>& stress
     }
     return moment;
 }
-
-}  // namespace
 
 Profile profile_record(const StrandString& string, const StrandState& state) {
     Profile profile;

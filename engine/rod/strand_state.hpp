@@ -86,6 +86,10 @@ void count_events(const StrandString& string, StrandState& state, std::size_t bl
 /// not fit the string.
 void derive(const StrandString& string, StrandState& state);
 
+/// Moments at the nodes (N m, body axes) of stresses of the segments, which bear one moment all
+/// along: the mean of both.
+std::vector<Eigen::Vector3d> moments_at_nodes(const std::vector<Vector6>& stress);
+
 SeriesRecord series_record(const StrandString& string, const StrandState& state);
 Profile profile_record(const StrandString& string, const StrandState& state);
 /// The energies from which records of a run that begins with this state count.

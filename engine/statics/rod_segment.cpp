@@ -113,7 +113,7 @@ Vector9 gradient_of_energy(const Bend& bend, const Column& column, const Torsion
     const double bending = column.moment * bend.factor.f - torsion.by_cosine / column.length;
     const Vector3d shearing = beam.shearing / column.size * column.off_mean();
     Vector9 gradient;
-    gradient << vector(beam.pull(column.chord)), -bending * bend.tb - shearing,
+    gradient << vector(beam.forces().pull(column.chord)), -bending * bend.tb - shearing,
         -bending * bend.ta - shearing;
     return column.length * gradient +
            torsion.torque * torsion.share * gradient_of_chi(bend, column, torsion);

@@ -20,7 +20,7 @@ double relative(double value, double reference) {
 }
 
 AddedMass mass_in(const Annulus& annulus) {
-    return added_mass(annulus.eccentricity, annulus.pipe, annulus.hole);
+    return added_mass({annulus.eccentricity, annulus.pipe, annulus.hole});
 }
 
 /// Pipes of a twentieth of their hole to ones that leave a fiftieth, off the axis by up to 0.99 of
@@ -51,7 +51,7 @@ constexpr Published potential_flow[] = {{0.07, 0.11, 0, 2.361111},
 
 TEST(AddedMass, IsThatOfPotentialFlowAroundThePipesOfWells) {
     for (const Published& p : potential_flow) {
-        const double found = added_mass(p.part * (p.hole - p.pipe), p.pipe, p.hole).coefficient;
+        const double found = added_mass({p.part * (p.hole - p.pipe), p.pipe, p.hole}).coefficient;
         // the figures that the table has
         EXPECT_NEAR(found, p.coefficient, 6e-7) << p.pipe << " at " << p.part;
     }
@@ -69,7 +69,7 @@ TEST(AddedMass, OnTheAxisIsThatOfStokes) {
     for (int i = 0; i < 1000; ++i) {
         const double hole = dice.decades(0.05, 0.5);
         const double pipe = hole * dice.between(0.01, 0.99);
-        const AddedMass added = added_mass(0, pipe, hole);
+        const AddedMass added = added_mass({0, pipe, hole});
         EXPECT_LT(
             relative(added.coefficient, (hole * hole + pipe * pipe) / (hole * hole - pipe * pipe)),
             1e-9);
@@ -78,14 +78,14 @@ TEST(AddedMass, OnTheAxisIsThatOfStokes) {
 }
 
 TEST(AddedMass, InAWideHoleIsThatOfTheOpenSea) {
-    EXPECT_LT(relative(added_mass(0.1, 1e-3, 100).coefficient, 1), 1e-9);
+    EXPECT_LT(relative(added_mass({0.1, 1e-3, 100}).coefficient, 1), 1e-9);
 }
 
 TEST(AddedMass, OfAThinPipeAtTheWallIsThatOfACylinderOnAPlane) {
     const double plane = std::numbers::pi * std::numbers::pi / 3 - 1;
     const double clearance = 1 - 1e-5;
     // the slope is not finite there: root of the film
-    EXPECT_NEAR(added_mass((1 - 1e-12) * clearance, 1e-5, 1).coefficient, plane, 1e-3 * plane);
+    EXPECT_NEAR(added_mass({(1 - 1e-12) * clearance, 1e-5, 1}).coefficient, plane, 1e-3 * plane);
 }
 
 TEST(AddedMass, SlopeIsThatOfTheSeries) {
@@ -103,7 +103,7 @@ TEST(AddedMass, SlopeIsTheLimitOfDifferenceQuotients) {
     for_random_annuli([](const Annulus& annulus) {
         const double step = 1e-4 * (annulus.clearance() - annulus.eccentricity);
         const auto beside = [&](double way) {
-            return added_mass(annulus.eccentricity + way, annulus.pipe, annulus.hole).coefficient;
+            return added_mass({annulus.eccentricity + way, annulus.pipe, annulus.hole}).coefficient;
         };
         const double quotient =
             (8 * (beside(step) - beside(-step)) - (beside(2 * step) - beside(-2 * step))) /

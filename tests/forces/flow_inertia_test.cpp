@@ -42,8 +42,8 @@ Stirring random_motion(Dice& dice) {
 DragCoefficients drag_of(const FluidCase& fluid, const Annulus& annulus, const Stirring& motion) {
     const double e = annulus.eccentricity;
     DragCoefficients drag =
-        scaled(drag_coefficients(drag_eccentricity(e, annulus.pipe, annulus.hole, fluid.film),
-                                 annulus.pipe, annulus.hole),
+        scaled(drag_coefficients({film_eccentricity(e, annulus.pipe, annulus.hole, fluid.film),
+                                  annulus.pipe, annulus.hole}),
                fluid.viscosity);
     if (fluid.regime == FlowRegime::inertial) {
         const FlowInertia flow = flow_inertia(fluid.density, fluid.viscosity,

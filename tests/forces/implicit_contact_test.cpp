@@ -405,7 +405,7 @@ Stirred random_stir(Dice& dice) {
     Stirred s;
     const double pipe = dice.decades(0.02, 0.3);
     const double hole = pipe * (1 + dice.decades(0.02, 5));
-    s.drag = drag_coefficients(dice.between(0, 0.999) * (hole - pipe), pipe, hole);
+    s.drag = drag_coefficients({dice.between(0, 0.999) * (hole - pipe), pipe, hole});
     if (dice.sign() > 0) s.drag.axial = concentric_axial_drag(pipe, hole);
     s.drag = scaled(s.drag, dice.decades(1e-6, 1e4));
     const double mass = dice.decades(1, 1e3);

@@ -131,7 +131,7 @@ TEST_P(Drag, PipeSinksToTheLowSideAsFastAsTheFilmLetsIt) {
         for (int i = 0; i < parts; ++i) {
             const double middle = eccentricity + (i + 0.5) * step;
             resisted +=
-                step * viscosity * drag_coefficients(middle, pipe_radius, hole_radius).radial;
+                step * viscosity * drag_coefficients({middle, pipe_radius, hole_radius}).radial;
         }
         eccentricity = end;
         const double momentum = profile.momentum.front().tail<3>().norm();
