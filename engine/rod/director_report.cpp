@@ -91,19 +91,18 @@ double elastic_twist(const ReportedSegment& segment, const DirectorSnapshot& at,
                                own_at(segment, at, k), own_at(segment, at, k + 1));
 }
 
-/// GJ times it per length. (The couple about the directors, `SegmentRow::torque`, has what bending
-/// of an own shape adds, too.)
-double elastic_torque(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+/// GJ times a twist per length. (The couple about the directors, `SegmentRow::torque`, has what
+/// bending of an own shape adds, too.)
+double elastic_torque(const ReportedSegment& segment, double twist) {
     const double sine2 = dot(segment.arc.turn, segment.arc.turn);
-    return elastic_twist(segment, at, k) /
-           (segment.length * segment.stiffness.torsion_compliance(sine2));
+    return twist / (segment.length * segment.stiffness.torsion_compliance(sine2));
 }
 
 /// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
 /// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
 /// wall, moments at its ends are larger and in its middle less.)
-Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
-    const ReportedSegment segment(scene, k, at);
+Vector6 stress_of(const ReportedSegment& segment, double torque, const DirectorSnapshot& at,
+                  std::size_t k) {
     // mean of a vector that turns with the sections by theta from end to end
     const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
     const double mean = 0.5 * (1.0 + theta * theta / 12.0);
@@ -116,8 +115,7 @@ Vector6 segment_stress(const Scene& scene, std::size_t k, const DirectorSnapshot
     const Vector3d d1 = (across - across.dot(t) * t).normalized();
     const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << elastic_torque(segment, at, k), bending.dot(d1), bending.dot(d2), pull.dot(t),
-        pull.dot(d1), pull.dot(d2);
+    stress << torque, bending.dot(d1), bending.dot(d2), pull.dot(t), pull.dot(d1), pull.dot(d2);
     return stress;
 }
 
@@ -169,9 +167,6 @@ std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const Direc
     const std::size_t last = string.model.segments;
     const std::vector<double> spread = spread_of_cells(string.scene.mesh);
     const std::vector<Vector3d> load = spread_loads(string, at, contacts);
-    std::vector<double> held;
-    for (std::size_t k = 0; k < last; ++k)
-        held.push_back(fixed_end_moment(ReportedSegment(string.scene, k, at).beam));
     std::vector<Vector3d> moment;
     for (std::size_t k = 0; k <= last; ++k) {
         const std::size_t above = k > 0 ? k - 1 : 0;
@@ -180,13 +175,15 @@ std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const Direc
         const Vector3d after = k < last ? first_couple(at, below) : before;
         const Vector3d t = at.rod.vector(DirectorRow::director, k);
         moment.emplace_back(0.5 * (before + after) +
-                            0.5 * (held[above] + held[below]) * spread[k] * t.cross(load[k]));
+                            0.5 * (at.fixed_end_moment[above] + at.fixed_end_moment[below]) *
+                                spread[k] * t.cross(load[k]));
     }
     return moment;
 }
 
-double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot& at) {
-    const ReportedSegment segment(scene, k, at);
+/// Elastic energy of a segment (J).
+double energy_of(const ReportedSegment& segment, double torque, double elastic_twist,
+                 const DirectorSnapshot& at, std::size_t k) {
     const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
     const OwnCurvature shape(
         segment.stiffness, segment.length, node_triple(at, DirectorRow::director, k),
@@ -194,7 +191,7 @@ double elastic_energy(const Scene& scene, std::size_t k, const DirectorSnapshot&
         segment.chord, theta, 0, own_at(segment, at, k), own_at(segment, at, k + 1));
     const double bending = 0.5 * segment.stiffness.bending * segment.beam.bend2;
     return segment.length * (segment.beam.energy(segment.stiffness) + bending) + shape.energy +
-           0.5 * elastic_torque(segment, at, k) * elastic_twist(segment, at, k);
+           0.5 * torque * elastic_twist;
 }
 
 }  // namespace
@@ -204,7 +201,8 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     const DirectorModel& model = string.model;
     const double time = state.clock.time;
     const double last_drift = state.clock.last_step;
-    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), state.wall, {}, {}};
+    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), state.wall, {}, {}, {},
+                        {}};
     for (const BlockSpan span : string.spans)
         director_segments(model, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
@@ -218,8 +216,14 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     string.head.settle(at.rod, time);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, time));
-    for (std::size_t k = 0; k < model.segments; ++k)
-        at.stress.push_back(segment_stress(string.scene, k, at));
+    for (std::size_t k = 0; k < model.segments; ++k) {
+        const ReportedSegment segment(string.scene, k, at);
+        const double twist = elastic_twist(segment, at, k);
+        const double torque = elastic_torque(segment, twist);
+        at.stress.push_back(stress_of(segment, torque, at, k));
+        at.energy.push_back(energy_of(segment, torque, twist, at, k));
+        at.fixed_end_moment.push_back(fixed_end_moment(segment.beam));
+    }
     return at;
 }
 
@@ -330,8 +334,8 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
         energy.kinetic += kinetic_energy(scene, at.rod, at.wall, k);
     energy.half_steps =
         state.origin.half_steps - half_kick_energy(string, at, 0.5 * state.clock.last_step);
-    for (std::size_t k = 0; k < last; ++k)
-        energy.elastic += elastic_energy(scene, k, at);
+    for (const double elastic : at.energy)
+        energy.elastic += elastic;
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
