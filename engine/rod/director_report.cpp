@@ -181,17 +181,23 @@ std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const Direc
     return moment;
 }
 
+/// What a shape of its own adds to the energy of a segment (J).
+double own_shape_energy(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+    if (segment.section.curvature.tail<2>().isZero(0)) return 0;
+    const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
+    return OwnCurvature(
+               segment.stiffness, segment.length, node_triple(at, DirectorRow::director, k),
+               node_triple(at, DirectorRow::director, k + 1), segment.arc, segment.arc.factor(),
+               segment.chord, theta, 0, own_at(segment, at, k), own_at(segment, at, k + 1))
+        .energy;
+}
+
 /// Elastic energy of a segment (J).
 double energy_of(const ReportedSegment& segment, double torque, double elastic_twist,
                  const DirectorSnapshot& at, std::size_t k) {
-    const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
-    const OwnCurvature shape(
-        segment.stiffness, segment.length, node_triple(at, DirectorRow::director, k),
-        node_triple(at, DirectorRow::director, k + 1), segment.arc, segment.arc.factor(),
-        segment.chord, theta, 0, own_at(segment, at, k), own_at(segment, at, k + 1));
     const double bending = 0.5 * segment.stiffness.bending * segment.beam.bend2;
-    return segment.length * (segment.beam.energy(segment.stiffness) + bending) + shape.energy +
-           0.5 * torque * elastic_twist;
+    return segment.length * (segment.beam.energy(segment.stiffness) + bending) +
+           own_shape_energy(segment, at, k) + 0.5 * torque * elastic_twist;
 }
 
 }  // namespace
