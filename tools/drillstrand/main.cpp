@@ -352,6 +352,23 @@ int execute(int argc, char** argv) {
     }
 }
 
+/// Ends the program where a function of a library that promised not to throw did: some of them (of
+/// toml++) allocate memory all the same.
+[[noreturn]] void end_at_once() noexcept {
+    std::string_view line =
+        "drillstrand: error: a library gave up: out of memory, or a fault of its own\n";
+    try {
+        if (const std::exception_ptr thrown = std::current_exception())
+            std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        line = "drillstrand: error: out of memory\n";
+    } catch (...) {
+        // the line stands
+    }
+    write_message(line);
+    std::_Exit(simulation_failed);
+}
+
 }  // namespace
 
 }  // namespace drillstrand::program
@@ -359,6 +376,7 @@ int execute(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace drillstrand::program;
     open_missing_streams();
+    std::set_terminate(end_at_once);
     std::signal(SIGPIPE, SIG_IGN);
     int code = simulation_failed;
     try {
