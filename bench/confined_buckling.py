@@ -359,7 +359,8 @@ def publish(rows, facts, folder):
         "The paper's six loads with `leapfrog`, on a fine mesh with a stiff wall, a dead load and "
         "a bit that touches 0.3 m of wall (`cases/vertical_resolved.toml`, "
         "`cases/horizontal_resolved.toml`), and with the paper's parameters: a mesh of 5 m, a "
-        "wall of 1e5 Pa, a load that follows the bit. State at the end of the run. "
+        "wall of 1e5 Pa, a load that follows the bit (1 MN: 2.5 m and 1e6 Pa, which bear it). State at the "
+        "end of the run. "
         + critical_loads(),
         "Vertical well:", tables[0],
         f"Horizontal well, without the {END_ZONE} m next to each end:", tables[1],

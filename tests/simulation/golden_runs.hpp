@@ -26,7 +26,7 @@ inline constexpr GoldenRun golden_runs[] = {
     {"vertical_resolved",   {0.5, "a2cc86640aef9587"}, {0.0005, "48cba3c5ff5e1e08"}},
     {"horizontal_350kN",    {6,   "8d9d4404dc306d1"}, {0.002, "937b516b5369ff5a"}},
     {"horizontal_500kN",    {6,   "20b08e4a9a4191ce"}, {0.002, "937b516b5369ff5a"}},
-    {"horizontal_1MN",      {6,   "973b724c1fcb697f"}, {0.002, "937b516b5369ff5a"}},
+    {"horizontal_1MN",      {6,   "37914f5ceff30d2"}, {0.002, "a36ce0c93c2e8082"}},
     {"horizontal_resolved", {0.5, "4f2cace3bdaa29eb"}, {0.0005, "95d9d160863026f0"}},
     {"well1",               {3,   "b785e4a882b70d8b"}, {0.002, "2ccbba20a4b4fb35"}},
     {"well2",               {3,   "1dede25ccaae8ba0"}, {0.002, "5f4b5d6dfc7016c0"}},
