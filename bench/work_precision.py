@@ -726,6 +726,17 @@ def publish_again(options, folder):
     publish(options, facts, motions, rows, clock, pictures)
 
 
+def rows_of_other_motions(options, folder, motions, facts):
+    """What the last run of the same program measured of motions that this one leaves out."""
+    path = folder / f"{options.stem}.csv"
+    if not path.exists():
+        return []
+    old, rows = read_rows(path)
+    if dict(old)["program"] != dict(facts)["program"]:
+        return []
+    return [row for row in rows if row["motion"] not in [motion.key for motion in motions]]
+
+
 def choose_clock():
     """Wall time on a machine that does nothing else; processor time where others work."""
     return "wall (s)" if os.getloadavg()[0] < measure.IDLE else "processor (s)"
@@ -740,7 +751,9 @@ def main():
                         help="a trial: short windows, two meshes, coarser references, one round")
     parser.add_argument("--rounds", type=int, help="turns of all variants (default: 3, quick 1)")
     parser.add_argument("--motion", action="append", choices=[motion.key for motion in MOTIONS],
-                        help="only this motion (may be repeated)")
+                        help="only this motion (may be repeated); the others keep what the last run of the "
+                             "same program measured")
+    parser.add_argument("--without-arkode", action="store_true", help="leave ARKODE out")
     parser.add_argument("--before", type=Path, metavar="DIR",
                         help="build directory of the release with the segment of second order, "
                              "which then is measured too (see bench/README.md)")
@@ -754,7 +767,7 @@ def main():
         publish_again(options, folder)
         return
     options.rounds = options.rounds or (1 if options.quick else 3)
-    options.arkode = has_arkode(options.build)
+    options.arkode = has_arkode(options.build) and not options.without_arkode
     os.nice(5)
 
     clock = choose_clock()
@@ -763,11 +776,11 @@ def main():
                             f"advancing alone; times compared: {clock}"))
     facts.append(("windows", "trial: short" if options.quick else "full"))
     if not options.arkode:
-        facts.append(("left out", "ARKODE: libsundials-dev was not there when this was built"))
+        facts.append(("left out", "ARKODE: not asked for, or without libsundials-dev in this build"))
     motions = [m for m in MOTIONS if not options.motion or m.key in options.motion]
     conditions = "; ".join(value for key, value in facts if key in ("machine", "compiler", "program",
                                                                     "windows"))
-    rows = []
+    rows = rows_of_other_motions(options, folder, motions, facts)
     pictures = {}
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(options, scratch)
@@ -778,12 +791,13 @@ def main():
             draw(motion, own, clock, pictures[motion.key], conditions)
             measure.write_csv(folder / f"{options.stem}.csv", list(facts), rows)
     measure.write_csv(folder / f"{options.stem}.csv", facts, rows)
+    motions = [motion for motion in MOTIONS if motion.key in {row["motion"] for row in rows}]
     lines, median, before = summary(motions, rows, clock)
     print(measure.markdown(lines))
     print(f"\nmedian over the motions, dormand-prince over leapfrog: {as_text(median)}; of those "
           f"that bend, old segment over new: {as_text(before, 'not measured')}")
     if options.publish:
-        publish(options, facts, motions, rows, clock, pictures)
+        publish_again(options, folder)
 
 
 if __name__ == "__main__":
