@@ -23,7 +23,7 @@ import measure
 PROGRAM = "bench/bench_scaling"
 SPACING = 7.0  # m, of nodes on every mesh: longer strings, not finer ones
 HOLE, PIPE, JOINT = 0.2159, 0.127, 0.1905  # m
-MESHES = (50, 100, 200, 322, 1000, 4000, 10000, 20000)
+MESHES = (50, 100, 200, 322, 1000, 4000, 10000, 16000)
 HEADLINE = 322  # segments: the paper's Well 2
 LONG = 4000
 
@@ -58,7 +58,7 @@ def scene(segments, folder, *, well=False, lying=False, fluid=False, drag=True, 
     if well:
         survey = folder / "level.csv"
         survey.write_text("md[m],inclination[deg],azimuth[deg]\n0,90,0\n"
-                          f"{10 * SPACING * MESHES[-1]},90,0\n", encoding="utf-8")
+                          f"{2 * SPACING * MESHES[-1]},90,0\n", encoding="utf-8")
         text += ["[well]", f'survey = "{survey}"', f"diameter = {HOLE}"]
         text += ["[contact]", "normal_stiffness = 1e7", "normal_damping = 1e5",
                  f"static_friction = {friction[0]}", f"dynamic_friction = {friction[1]}"]
