@@ -196,13 +196,7 @@ interval = 0.05
 """.format(**HANGING)
 
 CURVED_SURVEY = "md[m],inclination[deg],azimuth[deg]\n0,30,0\n300,60,0\n400,60,0\n"
-BUILD_SURVEY = "md[m],inclination[deg],azimuth[deg]\n0,30,0\n160,46,0\n400,46,0\n"
-# Without friction, which would make the state of rest depend on the way to it.
-AT_REST_CASE = """
-title = "Drill pipe that comes to rest in a deviated well"
-[well]
-survey = "survey.csv"
-diameter = "8.5 in"
+DRILL_PIPE = """\
 [string]
 [[string.component]]
 name = "drill pipe"
@@ -214,6 +208,15 @@ youngs_modulus = "206 GPa"
 poisson_ratio = 0.3
 [mesh]
 segments = 32
+"""
+BUILD_SURVEY = "md[m],inclination[deg],azimuth[deg]\n0,30,0\n160,46,0\n400,46,0\n"
+# Without friction, which would make the state of rest depend on the way to it.
+AT_REST_CASE = """
+title = "Drill pipe that comes to rest in a deviated well"
+[well]
+survey = "survey.csv"
+diameter = "8.5 in"
+""" + DRILL_PIPE + """\
 [damping]
 external_rotation = 1  # N s
 external_translation = 300  # N s/m2: waves along the string die out ten times in two seconds
@@ -239,17 +242,7 @@ diameter = "8.5 in"
 [fluid]
 density = 1200
 viscosity = "20 cP"
-[string]
-[[string.component]]
-name = "drill pipe"
-length = 300
-outer_diameter = "5 in"
-inner_diameter = "4.276 in"
-linear_density = 31.9
-youngs_modulus = "206 GPa"
-poisson_ratio = 0.3
-[mesh]
-segments = 32
+""" + DRILL_PIPE + """\
 [head]
 rotation = [[0.5, 0], [1.5, "1 Hz"]]
 [contact]

@@ -88,7 +88,7 @@ class Runs:
     def outcome(self, wish):
         """In words; those of a mistake begin with WRONG."""
         ending = self.run(wish)
-        lines = ending.stderr.splitlines()
+        lines = [line for line in ending.stderr.splitlines() if line]  # libgomp begins with an empty one
         extra = {path.name for path in self.folder.iterdir()} - {"case.toml", "case.h5"}
         for name in extra:
             (self.folder / name).unlink()
