@@ -196,10 +196,14 @@ struct BeamColumn {
         return {stretching, tension, moment, shearing};
     }
     /// V/h, as above (N).
-    [[nodiscard]] double energy(const SegmentStiffness& k) const {
+    [[nodiscard]] DRILLSTRAND_INLINE double energy(const SegmentStiffness& k) const {
         return 0.5 * (k.bending * ((2 * load.free - load.value) * load.value / k.slenderness +
                                    stability.symmetric * bend2) +
                       k.deviation * stability.antisymmetric * angle2);
+    }
+    /// V/h, and that of bending without a load (N).
+    [[nodiscard]] DRILLSTRAND_INLINE double whole_energy(const SegmentStiffness& k) const {
+        return energy(k) + 0.5 * k.bending * bend2;
     }
 };
 

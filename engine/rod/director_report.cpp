@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "model/segment_strain.hpp"
+#include "numerics/kernel.hpp"
+#include "rod/director_rows.hpp"
 #include "rod/report.hpp"
 
 namespace drillstrand {
@@ -18,14 +20,18 @@ std::vector<Eigen::Matrix3d> material_frames(const DirectorString& string,
                                              const Vector3d& head_d1) {
     std::vector<Eigen::Matrix3d> frames;
     frames.reserve(string.model.segments + 1);
-    Vector3d d1 = head_d1;
+    Vector3d untwisted = head_d1;
     Vector3d t = rod.vector(DirectorRow::director, 0);
+    double angle = 0;
     for (std::size_t k = 0; k <= string.model.segments; ++k) {
         if (k > 0) {
             const Vector3d to = rod.vector(DirectorRow::director, k);
-            d1 = followed(d1, t, to, string.scene.mesh.length[k - 1] * twist[k - 1]);
+            untwisted = carried(untwisted, t, to);
+            angle += string.scene.mesh.length[k - 1] * twist[k - 1];
             t = to;
         }
+        const Vector3d d1 =
+            (std::cos(angle) * untwisted + std::sin(angle) * t.cross(untwisted)).normalized();
         frames.emplace_back() << t, d1, t.cross(d1);
     }
     return frames;
@@ -98,24 +104,28 @@ double elastic_torque(const ReportedSegment& segment, double twist) {
     return twist / (segment.length * segment.stiffness.torsion_compliance(sine2));
 }
 
+/// Along a segment's axis in its middle, of about length 1.
+DRILLSTRAND_INLINE Triple along_middle(const SegmentChord& chord) {
+    return combine(1.5, chord.along, -0.5, chord.mean);
+}
+
 /// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
 /// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
 /// wall, moments at its ends are larger and in its middle less.)
-Vector6 stress_of(const ReportedSegment& segment, double torque, const DirectorSnapshot& at,
-                  std::size_t k) {
+Vector6 stress_of(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
     // mean of a vector that turns with the sections by theta from end to end
     const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
     const double mean = 0.5 * (1.0 + theta * theta / 12.0);
     const Triple own = combine(mean, own_at(segment, at, k), mean, own_at(segment, at, k + 1));
     const Vector3d bending = segment.section.bending_stiffness * (segment.bend - vector(own));
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
-    const Vector3d t =
-        (1.5 * vector(segment.chord.along) - 0.5 * vector(segment.chord.mean)).normalized();
+    const Vector3d t = vector(along_middle(segment.chord)).normalized();
     const Vector3d across = at.frame[k].col(1) + at.frame[k + 1].col(1);
     const Vector3d d1 = (across - across.dot(t) * t).normalized();
     const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << torque, bending.dot(d1), bending.dot(d2), pull.dot(t), pull.dot(d1), pull.dot(d2);
+    stress << elastic_torque(segment, elastic_twist(segment, at, k)), bending.dot(d1),
+        bending.dot(d2), pull.dot(t), pull.dot(d1), pull.dot(d2);
     return stress;
 }
 
@@ -161,8 +171,9 @@ std::vector<Vector3d> spread_loads(const DirectorString& string, const DirectorS
 
 /// Moments that the rod bears at its nodes (N m): the mean of what the segments at a node bear
 /// there, less what the loads on them, which they know as forces on nodes, do between the nodes
-/// (engine/rod/README.md, "Moments at the nodes").
+/// (engine/rod/README.md, "Moments at the nodes"). `fixed_end`: of each segment.
 std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const DirectorSnapshot& at,
+                                       const std::vector<double>& fixed_end,
                                        const std::vector<NodeContact>& contacts) {
     const std::size_t last = string.model.segments;
     const std::vector<double> spread = spread_of_cells(string.scene.mesh);
@@ -174,9 +185,8 @@ std::vector<Vector3d> moments_at_nodes(const DirectorString& string, const Direc
         const Vector3d before = k > 0 ? Vector3d(-last_couple(at, above)) : first_couple(at, 0);
         const Vector3d after = k < last ? first_couple(at, below) : before;
         const Vector3d t = at.rod.vector(DirectorRow::director, k);
-        moment.emplace_back(0.5 * (before + after) +
-                            0.5 * (at.fixed_end_moment[above] + at.fixed_end_moment[below]) *
-                                spread[k] * t.cross(load[k]));
+        moment.emplace_back(0.5 * (before + after) + 0.5 * (fixed_end[above] + fixed_end[below]) *
+                                                         spread[k] * t.cross(load[k]));
     }
     return moment;
 }
@@ -192,12 +202,73 @@ double own_shape_energy(const ReportedSegment& segment, const DirectorSnapshot& 
         .energy;
 }
 
+/// Elastic energy (J) and axial force (N) of the segments of a block of strings without a
+/// curvature of their own.
+DRILLSTRAND_KERNEL void report_block(const DirectorConstants& c, const Table<DirectorRow>& rod,
+                                     const Table<SegmentRow>& segments, std::size_t block,
+                                     double* energy_out, double* tension_out) {
+    const auto first = static_cast<std::ptrdiff_t>(block * block_size);
+    const ConstTriples x_a = rod.triples(DirectorRow::position, first);
+    const ConstTriples x_b = rod.triples(DirectorRow::position, first + 1);
+    const ConstTriples t_a = rod.triples(DirectorRow::director, first);
+    const ConstTriples t_b = rod.triples(DirectorRow::director, first + 1);
+    const ConstTriples pull = segments.triples(SegmentRow::pull, first);
+    const double* twist = segments.row(SegmentRow::twist) + first;
+    const double* twist0 = c.row(DirectorConstants::twist0) + first;
+    const StiffnessRows stiffnesses(c, first);
+    const double* inverse_length = c.row(DirectorConstants::inverse_length) + first;
+    const double* length = c.row(DirectorConstants::length) + first;
+
+    const auto segment = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        const double h = length[k];
+        const Triple ta = t_a[k];
+        const Triple tb = t_b[k];
+        const SegmentBend arc(ta, tb);
+        const SegmentChord chord(x_a[k], x_b[k], inverse_length[k], ta, tb, arc.inverse_both());
+        const double factor = arc.factor();
+        const double sine2 = dot(arc.turn, arc.turn);
+        const SegmentStiffness stiffness = stiffnesses[k];
+        const BeamColumn beam(stiffness, chord, factor * factor * sine2);
+        const double elastic_twist = h * (twist[k] - twist0[k]) +
+                                     stiffness.bending_share * twist_of_deviation(chord, arc.turn);
+        const Triple along = along_middle(chord);
+        energy_out[k] =
+            h * beam.whole_energy(stiffness) +
+            0.5 * elastic_twist * elastic_twist / (h * stiffness.torsion_compliance(sine2));
+        tension_out[k] = dot(pull[k], along) / std::sqrt(dot(along, along));
+    };
+#pragma omp simd
+    for (std::size_t k = 0; k < block_size; ++k)
+        segment(k);
+}
+
 /// Elastic energy of a segment (J).
-double energy_of(const ReportedSegment& segment, double torque, double elastic_twist,
-                 const DirectorSnapshot& at, std::size_t k) {
-    const double bending = 0.5 * segment.stiffness.bending * segment.beam.bend2;
-    return segment.length * (segment.beam.energy(segment.stiffness) + bending) +
-           own_shape_energy(segment, at, k) + 0.5 * torque * elastic_twist;
+double energy_of(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+    const double twist = elastic_twist(segment, at, k);
+    return segment.length * segment.beam.whole_energy(segment.stiffness) +
+           own_shape_energy(segment, at, k) + 0.5 * elastic_torque(segment, twist) * twist;
+}
+
+struct EnergiesAndTensions {
+    std::vector<double> energy;   ///< of each segment, elastic (J)
+    std::vector<double> tension;  ///< of each segment (N)
+};
+EnergiesAndTensions energies_and_tensions(const DirectorString& string,
+                                          const DirectorSnapshot& at) {
+    const std::size_t count = string.model.segments;
+    const std::size_t blocks = (count + block_size - 1) / block_size;
+    EnergiesAndTensions of{std::vector<double>(blocks * block_size),
+                           std::vector<double>(blocks * block_size)};
+    for (std::size_t block = 0; block < blocks; ++block)
+        at_level<report_block>(string.model.level)(string.model.constants, at.rod, at.segments,
+                                                   block, of.energy.data() + block * block_size,
+                                                   of.tension.data() + block * block_size);
+    of.energy.resize(count);
+    of.tension.resize(count);
+    if (string.model.features.curved)
+        for (std::size_t k = 0; k < count; ++k)
+            of.energy[k] = energy_of(ReportedSegment(string.scene, k, at), at, k);
+    return of;
 }
 
 }  // namespace
@@ -207,8 +278,7 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     const DirectorModel& model = string.model;
     const double time = state.clock.time;
     const double last_drift = state.clock.last_step;
-    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), state.wall, {}, {}, {},
-                        {}};
+    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), state.wall, {}};
     for (const BlockSpan span : string.spans)
         director_segments(model, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
@@ -222,14 +292,6 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     string.head.settle(at.rod, time);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, time));
-    for (std::size_t k = 0; k < model.segments; ++k) {
-        const ReportedSegment segment(string.scene, k, at);
-        const double twist = elastic_twist(segment, at, k);
-        const double torque = elastic_torque(segment, twist);
-        at.stress.push_back(stress_of(segment, torque, at, k));
-        at.energy.push_back(energy_of(segment, torque, twist, at, k));
-        at.fixed_end_moment.push_back(fixed_end_moment(segment.beam));
-    }
     return at;
 }
 
@@ -286,6 +348,7 @@ double half_kick_energy(const DirectorString& string, const DirectorSnapshot& at
 
 std::vector<Vector3d> positions(const DirectorString& string, const Table<DirectorRow>& rod) {
     std::vector<Vector3d> position;
+    position.reserve(string.model.segments + 1);
     for (std::size_t k = 0; k <= string.model.segments; ++k)
         position.push_back(rod.vector(DirectorRow::position, k));
     return position;
@@ -316,8 +379,6 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     const std::vector<Vector3d> position = positions(string, at.rod);
     SeriesRecord record;
     record.time = state.clock.time;
-    record.head_stress = at.stress.front();
-    record.bit_stress = at.stress.back();
     record.head_position = position.front();
     record.bit_position = position.back();
     record.head_rotation_rate = at.rod.row(DirectorRow::spin)[0];
@@ -340,17 +401,21 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
         energy.kinetic += kinetic_energy(scene, at.rod, at.wall, k);
     energy.half_steps =
         state.origin.half_steps - half_kick_energy(string, at, 0.5 * state.clock.last_step);
-    for (const double elastic : at.energy)
+    const EnergiesAndTensions of = energies_and_tensions(string, at);
+    for (const double elastic : of.energy)
         energy.elastic += elastic;
+    record.head_stress = stress_of(ReportedSegment(scene, 0, at), at, 0);
+    record.bit_stress = stress_of(ReportedSegment(scene, last - 1, at), at, last - 1);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     if (string.head.is_driven())
         energy.work += kinetic_energy(scene, at.rod, at.wall, 0) - state.origin.head;
     NodeReport nodes{contacts_of(string.model.surroundings, at.wall, position), {}};
+    nodes.velocity.reserve(last + 1);
     for (std::size_t k = 0; k <= last; ++k)
         nodes.velocity.push_back(
             {at.rod.vector(DirectorRow::velocity, k), at.rod.row(DirectorRow::spin)[k]});
-    account_for(record, scene, nodes, at.stress, state.accounts, state.origin);
+    account_for(record, scene, nodes, of.tension, state.accounts, state.origin);
     record.impacts += std::llround(at.impacts);
     record.slips += std::llround(at.slips);
     record.contact_changes = 2 * record.impacts - record.contact_nodes;
@@ -362,10 +427,15 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
     const DirectorSnapshot at = snapshot(string, state);
     Profile profile;
     profile.time = state.clock.time;
-    profile.stress = at.stress;
+    std::vector<double> fixed_end;
+    for (std::size_t k = 0; k < string.model.segments; ++k) {
+        const ReportedSegment segment(scene, k, at);
+        profile.stress.push_back(stress_of(segment, at, k));
+        fixed_end.push_back(fixed_end_moment(segment.beam));
+    }
     profile.position = positions(string, at.rod);
     const std::vector<Vector3d> moments = moments_at_nodes(
-        string, at, contacts_of(string.model.surroundings, at.wall, profile.position));
+        string, at, fixed_end, contacts_of(string.model.surroundings, at.wall, profile.position));
     for (std::size_t k = 0; k <= string.model.segments; ++k) {
         const Eigen::Matrix3d to_body = at.frame[k].transpose();
         Vector6 momentum;

@@ -18,12 +18,7 @@ struct DirectorSnapshot {
     Table<SegmentRow> segments;
     Table<WallRow> wall;
     std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
-    std::vector<Vector6> stress;         ///< N
-    std::vector<double> energy;          ///< N, elastic (J)
-    /// N: the moment with which a segment under its axial force holds an even load between clamped
-    /// ends, over q h^2/12
-    std::vector<double> fixed_end_moment;
-    double impacts = 0;  ///< in the step that begins here
+    double impacts = 0;                  ///< in the step that begins here
     double slips = 0;
 };
 DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& state);

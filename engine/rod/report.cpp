@@ -87,14 +87,14 @@ WallDrag wall_drag(const Scene& scene, const std::vector<double>& friction,
 }
 
 double helix_penetration(const Scene& scene, const std::vector<NodeContact>& contacts,
-                         const std::vector<Vector6>& stress) {
+                         const std::vector<double>& tension) {
     constexpr double most = 10;  // clearances
     if (!scene.well) return 0;
     double deepest = 0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const Vector6& above = stress[k > 0 ? k - 1 : 0];
-        const Vector6& below = stress[std::min(k, stress.size() - 1)];
-        const double compression = -0.5 * (above[3] + below[3]);
+        const double above = tension[k > 0 ? k - 1 : 0];
+        const double below = tension[std::min(k, tension.size() - 1)];
+        const double compression = -0.5 * (above + below);
         if (compression <= 0) continue;
         const double q = compression * compression /
                          (4 * scene.mesh.node[k].bending_stiffness * scene.normal_stiffness[k]);
@@ -110,6 +110,8 @@ void report_contact(SeriesRecord& record, const Scene& scene,
                     const std::vector<NodeContact>& contacts) {
     std::vector<double> friction;
     std::vector<double> depth;
+    friction.reserve(contacts.size());
+    depth.reserve(contacts.size());
     for (const NodeContact& c : contacts) {
         friction.push_back(c.axial_friction);
         depth.push_back(c.well_depth);
@@ -129,7 +131,7 @@ void report_contact(SeriesRecord& record, const Scene& scene,
 }  // namespace
 
 void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nodes,
-                 const std::vector<Vector6>& stress, const Accounts& accounts,
+                 const std::vector<double>& tension, const Accounts& accounts,
                  const EnergyOrigin& origin) {
     EnergyAccount& energy = record.energy;
     energy.rotation = rotation_energy(scene, nodes.velocity);
@@ -146,7 +148,7 @@ void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nod
         slips += accounts.slips[i];
     }
     report_contact(record, scene, nodes.contact);
-    record.helix_penetration = helix_penetration(scene, nodes.contact, stress);
+    record.helix_penetration = helix_penetration(scene, nodes.contact, tension);
     record.whirl = whirl_of(scene, nodes.contact, nodes.velocity);
     record.impacts = std::llround(impacts);
     record.slips = std::llround(slips);

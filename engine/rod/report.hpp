@@ -47,9 +47,9 @@ WallDrag wall_drag(const Scene& scene, const std::vector<double>& friction,
 
 /// The largest penetration that a helix of a node's own compression has: clearance q / (1 - q),
 /// q = F^2 / (4 EI k_el), ten clearances at most, deeper than which no run goes (m). 0 where
-/// nothing is compressed.
+/// nothing is compressed. `tension` of each segment (N).
 double helix_penetration(const Scene& scene, const std::vector<NodeContact>& contacts,
-                         const std::vector<Vector6>& stress);
+                         const std::vector<double>& tension);
 
 /// What a record needs of each node, whatever the rod.
 struct NodeReport {
@@ -58,9 +58,9 @@ struct NodeReport {
 };
 
 /// Completes a record that has the energies of the rod and of its weight by the wall and the
-/// whirl of the nodes, and by what happened until then.
+/// whirl of the nodes, and by what happened until then. `tension` of each segment (N).
 void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nodes,
-                 const std::vector<Vector6>& stress, const Accounts& accounts,
+                 const std::vector<double>& tension, const Accounts& accounts,
                  const EnergyOrigin& origin);
 
 /// Adds the place of each node in the well and the force of the wall on it.

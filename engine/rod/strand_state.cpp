@@ -189,7 +189,10 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
         const Vector6 velocity = velocity_of(scene, state.rod, state.wall, k);
         nodes.velocity.push_back({pose[k].frame * velocity.tail<3>(), velocity[0]});
     }
-    account_for(record, scene, nodes, stress, state.accounts, state.origin);
+    std::vector<double> tension;
+    for (const Vector6& of_segment : stress)
+        tension.push_back(of_segment[3]);
+    account_for(record, scene, nodes, tension, state.accounts, state.origin);
     return record;
 }
 

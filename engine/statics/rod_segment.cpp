@@ -65,7 +65,7 @@ struct Column {
     [[nodiscard]] Vector3d off_chord() const { return mean - chord.cosine * along; }
     [[nodiscard]] Vector3d off_mean() const { return vector(chord.deviation); }
     [[nodiscard]] double energy() const {
-        return length * (beam.energy(stiffness) + 0.5 * stiffness.bending * beam.bend2);
+        return length * beam.whole_energy(stiffness);
     }
 };
 

@@ -11,6 +11,7 @@
 
 #include "model/segment_strain.hpp"
 #include "rod/director_plain.hpp"
+#include "rod/director_report.hpp"
 #include "rod/director_steps.hpp"
 #include "support/dice.hpp"
 #include "support/run_case.hpp"
@@ -296,6 +297,34 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"EverythingByThePapersLaw", 50, true, true,
                 std::string(wall) + "law = \"paper\"\n" + mud + damped}),
     [](const auto& variant) { return variant.param.name; });
+
+TEST(DirectorKernels, ReportTheEnergyWrittenSegmentBySegment) {
+    Dice dice(11);
+    for (const bool curved : {false, true}) {
+        for (const int segments : {1, 7, 8, 9, 50}) {
+            const Scene scene =
+                build_scene(test::case_from(three_components(curved, 200e9) +
+                                            "[mesh]\nsegments = " + std::to_string(segments)));
+            const DirectorString string(scene);
+            PlainRod rod = random_rod(scene, dice);
+            DirectorState state = initial_state(string);
+            for (std::size_t k = 0; k < rod.node.size(); ++k) {
+                const auto entry = static_cast<std::ptrdiff_t>(k);
+                state.rod.set(DirectorRow::position, entry, rod.node[k].position);
+                state.rod.set(DirectorRow::director, entry, rod.node[k].director);
+                state.rod.set(DirectorRow::last_director, entry, rod.node[k].director);
+            }
+            std::copy(rod.twist.begin(), rod.twist.end(), state.rod.row(DirectorRow::last_twist));
+            state.head.d1 = rod.node[0].material;
+            const std::vector<Eigen::Matrix3d> frames =
+                material_frames(string, state.rod, rod.twist.data(), string.head.d1(state.head, 0));
+            for (std::size_t k = 0; k < rod.node.size(); ++k)
+                rod.node[k].material = frames[k].col(1);
+            const double energy = test::plain_elastic_energy(scene, rod);
+            EXPECT_NEAR(series_record(string, state).energy.elastic, energy, 1e-9 * energy);
+        }
+    }
+}
 
 TEST(DirectorKernels, LetANodeBesideTheAxisOfTheWellMoveAsIfThereWereNone) {
     // where the direction toward the axis is little but rounding

@@ -162,10 +162,8 @@ TEST(Whirl, EnergyOfRotationIsThatOfSpinAlone) {
 
 // --- what presses and rubs
 
-std::vector<Vector6> pushed(double compression) {
-    Vector6 stress = Vector6::Zero();
-    stress[3] = -compression;
-    return std::vector<Vector6>(nodes - 1, stress);
+std::vector<double> pushed(double compression) {
+    return std::vector<double>(nodes - 1, -compression);
 }
 
 TEST(Penetration, OfAHelixIsTheClearanceTimesQOverOneLessQ) {
