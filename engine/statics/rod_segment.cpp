@@ -64,9 +64,7 @@ struct Column {
 
     [[nodiscard]] Vector3d off_chord() const { return mean - chord.cosine * along; }
     [[nodiscard]] Vector3d off_mean() const { return vector(chord.deviation); }
-    [[nodiscard]] double energy() const {
-        return length * beam.whole_energy(stiffness);
-    }
+    [[nodiscard]] double energy() const { return length * beam.whole_energy(stiffness); }
 };
 
 /// Torsion: torque T = X/Q of what the segment is twisted, hX = h (tau_f - tau0) + k chi + own.
