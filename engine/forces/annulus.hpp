@@ -40,6 +40,12 @@ struct Annulus {
           distance(d) {}
 };
 
+/// The pipe around which mud flows: formulas of the annulus need a gap, of a hundredth of the hole.
+DRILLSTRAND_INLINE double flow_radius(double pipe, double hole) {
+    const double most = 0.99 * hole;
+    return pipe < most ? pipe : most;
+}
+
 /// Eccentricity for drag and added mass: the film counts as no thinner than `film` times the
 /// clearance, which keeps the near-touching limit finite and leaves every other position exact.
 DRILLSTRAND_INLINE double film_eccentricity(double eccentricity, double pipe, double hole,

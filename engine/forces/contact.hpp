@@ -11,9 +11,11 @@
 
 namespace drillstrand {
 
-/// How deep the pipe's surface is in the wall; negative in the open hole.
+/// How deep the pipe's surface is in the wall; negative in the open hole. What is as wide as the
+/// hole or wider is held on its axis, as by a wall all around.
 DRILLSTRAND_INLINE double penetration(double eccentricity, double hole_radius, double pipe_radius) {
-    return eccentricity - (hole_radius - pipe_radius);
+    const double clearance = hole_radius - pipe_radius;
+    return eccentricity - (clearance > 0.0 ? clearance : 0.0);
 }
 
 /// Spring and dashpot toward the axis (paper eq. 9); zero in the open hole. `least` is 0 where the

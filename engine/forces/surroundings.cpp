@@ -1,5 +1,6 @@
 #include "forces/surroundings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -76,8 +77,10 @@ Surroundings::Surroundings(const Scene& scene, Level level)
     nodes_ = scene.mesh.node.size();
     constants_ = BlockTable(rows, nodes_);
     constants_.fill(pipe, 1.0);
+    constants_.fill(body, 1.0);
     for (std::size_t k = 0; k < nodes_; ++k) {
         constants_.row(pipe)[k] = scene.mesh.node[k].outer_radius;
+        constants_.row(body)[k] = scene.mesh.node[k].flow_radius;
         constants_.row(stiffness)[k] = scene.normal_stiffness[k];
         constants_.row(damping)[k] = scene.normal_damping[k];
         if (!scene.features.fluid_mass) continue;
@@ -125,12 +128,12 @@ void Surroundings::enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t
     wall.set(WallRow::normal_to_axis, entry, a.normal);
     set(WallRow::curvature, a.curvature);
     set(WallRow::hole, a.radius);
+    const double pipe_radius = flow_radius(row(body)[node], a.radius);
     set(WallRow::concentric_axial,
-        parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(row(pipe)[node], a.radius));
+        parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(pipe_radius, a.radius));
     if (parameters_.inertial_flow) {
-        const FlowInertia flow =
-            flow_inertia(parameters_.density, parameters_.viscosity, parameters_.drag_coefficient,
-                         row(pipe)[node], a.radius);
+        const FlowInertia flow = flow_inertia(parameters_.density, parameters_.viscosity,
+                                              parameters_.drag_coefficient, pipe_radius, a.radius);
         set(WallRow::cross_flow, flow.cross);
         set(WallRow::swirl, flow.swirl);
         set(WallRow::swirl_reynolds, flow.swirl_reynolds);
@@ -153,8 +156,8 @@ double Surroundings::fluid_mass(const Table<WallRow>& wall, std::size_t node,
     if (empty() || row(displaced)[node] == 0) return 0;
     const WellFrame frame =
         well_frame(triple(position), numbers_of(well_->arcs()[arc(wall, node)]));
-    const double pipe_radius = row(pipe)[node];
     const double hole_radius = wall.row(WallRow::hole)[node];
+    const double pipe_radius = flow_radius(row(body)[node], hole_radius);
     const Annulus annulus(
         film_eccentricity(frame.eccentricity, pipe_radius, hole_radius, parameters_.film),
         pipe_radius, hole_radius);
@@ -168,11 +171,12 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     const std::size_t in = arc(wall, node);
     const WellFrame frame = well_frame(triple(position), numbers_of(well_->arcs()[in]));
     result.eccentricity = frame.eccentricity;
-    result.clearance = wall.row(WallRow::hole)[node] - row(pipe)[node];
+    const double hole = wall.row(WallRow::hole)[node];
+    result.clearance = std::max(hole - row(pipe)[node], 0.0);
+    result.room = hole - flow_radius(row(body)[node], hole);
     result.around = vector(frame.t);
     result.well_depth = well_->project(position, in).measured_depth;
-    const double dr =
-        penetration(frame.eccentricity, wall.row(WallRow::hole)[node], row(pipe)[node]);
+    const double dr = penetration(frame.eccentricity, hole, row(pipe)[node]);
     if (dr <= 0) return result;
     const FrictionSpring spring = {
         {wall.row(WallRow::elongation_axial)[node], wall.row(WallRow::elongation_azimuthal)[node]},

@@ -34,7 +34,8 @@ SurroundingsParameters surroundings_parameters(const Scene& scene);
 /// Contact of one node as reports show it.
 struct NodeContact {
     double eccentricity = 0;                           ///< m
-    double clearance = 0;                              ///< of the pipe in the hole (m)
+    double clearance = 0;                              ///< of what touches, 0 at least (m)
+    double room = 0;                                   ///< of the pipe's body in the hole (m)
     double well_depth = 0;                             ///< measured depth of its section (m)
     double penetration = 0;                            ///< m; 0 in the open hole
     double normal_force = 0;                           ///< N/m
@@ -49,7 +50,8 @@ struct NodeContact {
 class Surroundings {
   public:
     enum Row : std::size_t {
-        pipe,       // outer radius of the pipe (m)
+        pipe,       // radius that touches the wall (m)
+        body,       // radius around which mud flows (m)
         stiffness,  // k_el (Pa)
         damping,    // eta_el (Pa s)
         inside,     // fluid in the pipe that moves sideways with it (kg/m)

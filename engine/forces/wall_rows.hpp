@@ -30,6 +30,7 @@ struct WallRows {
           swirl_reynolds(wall.row(WallRow::swirl_reynolds) + first),
           stream(wall.row(WallRow::stream) + first),
           pipe(surroundings.row(Surroundings::pipe) + first),
+          body(surroundings.row(Surroundings::body) + first),
           inside(surroundings.row(Surroundings::inside) + first),
           displaced(surroundings.row(Surroundings::displaced) + first),
           stiffness(surroundings.row(Surroundings::stiffness) + first),
@@ -49,8 +50,8 @@ struct WallRows {
     ConstTriples start{}, tangent{}, normal_to_axis{};
     const double *curvature = nullptr, *hole = nullptr, *end_cosine = nullptr, *reach = nullptr,
                  *concentric_axial = nullptr, *cross_flow = nullptr, *swirl = nullptr,
-                 *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr, *inside = nullptr,
-                 *displaced = nullptr, *stiffness = nullptr, *dashpot = nullptr;
+                 *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr, *body = nullptr,
+                 *inside = nullptr, *displaced = nullptr, *stiffness = nullptr, *dashpot = nullptr;
     double *elongation_axial = nullptr, *elongation_azimuthal = nullptr, *sliding = nullptr,
            *depth = nullptr, *normal = nullptr, *slip_axial = nullptr, *slip_azimuthal = nullptr,
            *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr, *rebounds = nullptr;
@@ -61,9 +62,13 @@ struct WallRows {
     DRILLSTRAND_INLINE FlowInertia flow(std::size_t k) const {
         return {cross_flow[k], swirl[k], swirl_reynolds[k], stream[k]};
     }
+    DRILLSTRAND_INLINE double flow_radius_at(std::size_t k) const {
+        return flow_radius(body[k], hole[k]);
+    }
     /// The annulus at a node that is eccentric, with its film.
     DRILLSTRAND_INLINE Annulus annulus(std::size_t k, double eccentricity, double film) const {
-        return {film_eccentricity(eccentricity, pipe[k], hole[k], film), pipe[k], hole[k]};
+        const double flowed_by = flow_radius_at(k);
+        return {film_eccentricity(eccentricity, flowed_by, hole[k], film), flowed_by, hole[k]};
     }
     /// Added mass of the annulus at a node (kg/m), and its slope over the eccentricity.
     DRILLSTRAND_INLINE AddedMass annulus_mass(std::size_t k, const Annulus& annulus,

@@ -64,15 +64,15 @@ Case read_case(const std::filesystem::path& path,
     result.fluid = read_fluid(root);
     const StringInput string = read_string(root, folder);
     result.string = string.string;
-    result.mesh = read_mesh(root, total_length(string.string));
+    result.mesh = read_mesh(root, string.string);
     result.head = read_head(root);
     result.bit = read_bit(root, result.string);
     result.contact = read_contact(root);
     result.damping = read_damping(root);
     result.initial = read_initial(root, result.well && can_rest(result));
     result.equilibrium = read_equilibrium(root);
-    if (result.well) check_fit(*result.well, string, result.head);
-    result.torque_drag = read_torque_drag(root, result.well, string);
+    if (result.well) check_fit(*result.well, string, result.head, result.contact.interference);
+    result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
     result.path = path;
     result.files = files_of(document.root, path);

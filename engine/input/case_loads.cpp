@@ -136,13 +136,18 @@ BitCase read_bit(const Table& root, const StringCase& string) {
 
 ContactCase read_contact(const Table& root) {
     const Table table = root.subtable(
-        "contact", {"normal_stiffness", "normal_damping", "restitution", "tangential_stiffness",
-                    "rolling_creep", "static_friction", "dynamic_friction", "law", "tension"});
+        "contact", {"normal_stiffness", "point_stiffness", "normal_damping", "restitution",
+                    "tangential_stiffness", "rolling_creep", "static_friction", "dynamic_friction",
+                    "law", "tension", "interference"});
     table.refuse_both("normal_damping", "restitution");
 
     ContactCase contact;
     contact.normal_stiffness = table.quantity("normal_stiffness", dimension::pressure,
                                               contact.normal_stiffness, plausible::wall_stiffness);
+    if (const std::optional<Value> point = table.find("point_stiffness"))
+        contact.point_stiffness = point->quantity(dimension::pressure, plausible::wall_stiffness);
+    else if (table.find("normal_stiffness"))
+        contact.point_stiffness = contact.normal_stiffness;
     contact.normal_damping = table.quantity("normal_damping", dimension::viscosity,
                                             contact.normal_damping, plausible::wall_damping);
     if (const std::optional<Value> restitution = table.find("restitution")) {
@@ -160,6 +165,8 @@ ContactCase read_contact(const Table& root) {
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
     contact.tension = table.boolean("tension", contact.tension);
+    contact.interference = table.quantity("interference", dimension::length, contact.interference,
+                                          plausible::length_or_none);
     return contact;
 }
 

@@ -22,7 +22,7 @@ struct StringInput {
 std::optional<WellCase> read_well(const Table& root, const std::filesystem::path& folder);
 std::optional<FluidCase> read_fluid(const Table& root);
 StringInput read_string(const Table& root, const std::filesystem::path& folder);
-MeshCase read_mesh(const Table& root, double string_length);
+MeshCase read_mesh(const Table& root, const StringCase& string);
 HeadCase read_head(const Table& root);
 BitCase read_bit(const Table& root, const StringCase& string);
 ContactCase read_contact(const Table& root);
@@ -36,19 +36,20 @@ RunCase read_run(const Table& root);
 OutputCase read_output(const Table& root, double duration);
 /// Needs the well and the string, whose place at each depth is checked.
 TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
-                                const StringInput& string);
+                                const StringInput& string, double interference);
 
 /// One coefficient for both directions, or [axial, azimuthal].
 FrictionCoefficients read_friction(const Value& value);
 
 /// Throws InputError where the string is longer than the surveyed well or where a component, at
-/// its place below a head at the start of the well, is not thinner than the hole. A head elsewhere
-/// leaves the depths open: then lengths alone are compared.
-void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head);
+/// its place below a head at the start of the well, is wider than the hole by more than an
+/// interference (m). A head elsewhere leaves the depths open: then lengths alone are compared.
+void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head,
+               double interference);
 
 /// Throws InputError at `where` where a component of the string, its bit at a measured depth and
-/// its top component as long as that takes, is not thinner than the hole.
-void check_fit_at(const WellCase& well, const StringInput& input, double bit_depth,
-                  const SourceLocation& where);
+/// its top component as long as that takes, is wider than the hole by more than that.
+void check_fit_at(const WellCase& well, const StringInput& input, double interference,
+                  double bit_depth, const SourceLocation& where);
 
 }  // namespace drillstrand

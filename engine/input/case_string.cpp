@@ -44,23 +44,63 @@ StringInput read_string(const Table& root, const std::filesystem::path& folder) 
     return input;
 }
 
-MeshCase read_mesh(const Table& root, double string_length) {
+namespace {
+
+/// A length of segments, that a stretch is not cut into too many.
+double read_element_length(const Value& value, double stretch) {
+    const double element = value.quantity(dimension::length, plausible::length);
+    const double segments = std::ceil(stretch / element);
+    if (segments > most_segments)
+        value.fail(
+            fmt::format("makes {:.0f} segments; expected at most {}", segments, most_segments));
+    return element;
+}
+
+MeshRefinement read_refinement(const Value& value, double string_length) {
+    const Table table(value, {"from", "to", "measured_from", "element_length"});
+    MeshRefinement refine;
+    refine.from = table.require("from", "a place along the string such as 0 or \"100 m\"")
+                      .quantity(dimension::length, plausible::length_or_none);
+    const Value to = table.require("to", "the other end of the stretch");
+    refine.to = to.quantity(dimension::length, plausible::length);
+    if (refine.to <= refine.from)
+        to.fail(fmt::format("is {:.9g} m; expected more than {:.9g} m, where the stretch starts",
+                            refine.to, refine.from));
+    refine.from_the_bit =
+        table.choice<bool>("measured_from", false, {{"head", false}, {"bit", true}});
+    if (refine.from >= string_length)
+        table.require("from", "")
+            .fail(fmt::format("is {:.9g} m; expected less than {:.9g} m, the length of the string",
+                              refine.from, string_length));
+    refine.element_length =
+        read_element_length(table.require("element_length", "the largest length of a segment"),
+                            std::min(refine.to, string_length) - refine.from);
+    return refine;
+}
+
+}  // namespace
+
+MeshCase read_mesh(const Table& root, const StringCase& string) {
     const Value value = root.require("mesh", "a table with segments or element_length");
-    const Table table(value, {"segments", "element_length", "segment_inertia"});
-    table.refuse_both("segments", "element_length");
+    const Table table(
+        value, {"segments", "element_length", "segments_per_joint", "refine", "segment_inertia"});
+    for (const char* of_following : {"element_length", "segments_per_joint", "refine"})
+        table.refuse_both("segments", of_following);
 
     MeshCase mesh;
-    if (const std::optional<Value> element = table.find("element_length")) {
-        const double segments =
-            std::round(string_length / element->quantity(dimension::length, plausible::length));
-        if (segments > most_segments) {
-            element->fail(
-                fmt::format("makes {:.0f} segments; expected at most {}", segments, most_segments));
-        }
-        mesh.segments = std::max(1, static_cast<int>(segments));
-    } else {
+    const double length = total_length(string);
+    const std::optional<Value> element = table.find("element_length");
+    if (!element) {
         mesh.segments = table.require("segments", "a number of segments, or element_length")
                             .whole_number(1, most_segments);
+    } else {
+        mesh.element_length = read_element_length(*element, length);
+        if (const std::optional<Value> per_joint =
+                table.find("segments_per_joint", fmt::format("{}", mesh.segments_per_joint)))
+            mesh.segments_per_joint = per_joint->whole_number(1, 1000);
+        if (const std::optional<Value> refine = table.find("refine"))
+            for (const Value& stretch : refine->elements("a list of tables [[mesh.refine]]"))
+                mesh.refine.push_back(read_refinement(stretch, length));
     }
     mesh.segment_inertia = table.boolean("segment_inertia", mesh.segment_inertia);
     return mesh;

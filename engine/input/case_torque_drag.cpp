@@ -69,13 +69,14 @@ std::vector<double> read_list(const Value& value, const WellCase& well) {
     return depths;
 }
 
-std::vector<double> read_depths(const Value& value, const WellCase& well,
-                                const StringInput& string) {
+std::vector<double> read_depths(const Value& value, const WellCase& well, const StringInput& string,
+                                double interference) {
     const bool steps = value.node().is_table();
     std::vector<double> depths = steps ? read_steps(value, well) : read_list(value, well);
     const std::vector<Value> entries = steps ? std::vector<Value>{} : value.elements(some_depths);
     for (std::size_t k = 0; k < depths.size(); ++k)
-        check_fit_at(well, string, depths[k], steps ? value.where() : entries[k].where());
+        check_fit_at(well, string, interference, depths[k],
+                     steps ? value.where() : entries[k].where());
     return depths;
 }
 
@@ -104,13 +105,13 @@ std::vector<TorqueDragMotion> read_motions(const Value& value) {
 }  // namespace
 
 TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
-                                const StringInput& string) {
+                                const StringInput& string, double interference) {
     const Table table = root.subtable("torque_drag", {"depths", "motions", "friction"});
     TorqueDragCase torque_drag;
     if (root.find("torque_drag") && !well)
         table.fail("torque_drag needs a well; expected a table [well] with survey and diameter");
     if (const std::optional<Value> depths = table.find("depths"))
-        torque_drag.depths = read_depths(*depths, *well, string);
+        torque_drag.depths = read_depths(*depths, *well, string, interference);
     if (const std::optional<Value> motions = table.find("motions"))
         torque_drag.motions = read_motions(*motions);
     if (const std::optional<Value> friction = table.find("friction"))

@@ -45,23 +45,40 @@ std::string describe(std::size_t index, const Component& component) {
     return fmt::format("component {} ({})", index + 1, in_quotes(component.name));
 }
 
+/// The widest part of a component and what it is called.
+struct Widest {
+    const char* what;
+    double diameter;
+};
+
+Widest widest_of(const Component& component) {
+    Widest widest{"an outer diameter", component.outer_diameter};
+    if (component.joints && component.joints->outer_diameter > widest.diameter)
+        widest = {"tool joints", component.joints->outer_diameter};
+    if (component.contact && component.contact->diameter > widest.diameter)
+        widest = {"a contact diameter", component.contact->diameter};
+    return widest;
+}
+
 /// Throws InputError where a component between two measured depths meets a section of the well
-/// that it does not fit into.
+/// that it does not fit into, but for an interference (m).
 void check_diameter(const WellCase& well, double top, double bottom, const std::string& name,
-                    double outer_diameter, const SourceLocation& where) {
+                    const Widest& widest, double interference, const SourceLocation& where) {
     double from = well.survey.front().measured_depth;
     for (std::size_t k = 0; k < well.sections.size(); ++k) {
         const WellSectionCase& section = well.sections[k];
         const bool last = k + 1 == well.sections.size();
         const double to = last ? std::numeric_limits<double>::infinity() : section.to;
         const double rounding = length_rounding * bottom;
-        if (top < to - rounding && bottom > from + rounding && outer_diameter >= section.diameter) {
+        if (top < to - rounding && bottom > from + rounding &&
+            widest.diameter > section.diameter + interference) {
             throw InputError(
-                where, fmt::format(
-                           "{} has an outer diameter of {:.9g} m; expected less than {:.9g} m, the "
-                           "diameter of the well from {:.9g} m to {:.9g} m",
-                           name, outer_diameter, section.diameter, std::max(top, from),
-                           std::min(bottom, to)));
+                where,
+                fmt::format("{} has {} of {:.9g} m; expected at most {:.9g} m, the "
+                            "diameter of the well from {:.9g} m to {:.9g} m{}",
+                            name, widest.what, widest.diameter, section.diameter + interference,
+                            std::max(top, from), std::min(bottom, to),
+                            interference > 0 ? " and contact.interference" : ""));
         }
         from = to;
     }
@@ -125,7 +142,8 @@ std::optional<FluidCase> read_fluid(const Table& root) {
     return fluid;
 }
 
-void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head) {
+void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head,
+               double interference) {
     const double start = well.survey.front().measured_depth;
     const double well_length = well.survey.back().measured_depth - start;
     const double string_length = total_length(input.string);
@@ -147,14 +165,14 @@ void check_fit(const WellCase& well, const StringInput& input, const HeadCase& h
         }
         const double bottom = top + component.length;
         if (head_at_start) {
-            check_diameter(well, top, bottom, name, component.outer_diameter, where);
+            check_diameter(well, top, bottom, name, widest_of(component), interference, where);
         }
         top = bottom;
     }
 }
 
-void check_fit_at(const WellCase& well, const StringInput& input, double bit_depth,
-                  const SourceLocation& where) {
+void check_fit_at(const WellCase& well, const StringInput& input, double interference,
+                  double bit_depth, const SourceLocation& where) {
     const double start = well.survey.front().measured_depth;
     double bottom = bit_depth;
     for (std::size_t k = input.string.components.size(); k-- > 0 && bottom > start;) {
@@ -162,7 +180,7 @@ void check_fit_at(const WellCase& well, const StringInput& input, double bit_dep
         const double top = k == 0 ? start : std::max(start, bottom - component.length);
         const std::string name =
             fmt::format("with the bit at {:.9g} m, {}", bit_depth, describe(k, component));
-        check_diameter(well, top, bottom, name, component.outer_diameter, where);
+        check_diameter(well, top, bottom, name, widest_of(component), interference, where);
         bottom = top;
     }
 }

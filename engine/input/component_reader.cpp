@@ -60,10 +60,35 @@ class ComponentSource {
 class TableSource : public ComponentSource {
   public:
     explicit TableSource(const Value& value)
-        : table_(value, {"name", "length", "outer_diameter", "inner_diameter", "linear_density",
-                         "density", "youngs_modulus", "poisson_ratio", "yield_strength",
-                         "curvature", "bending_stiffness", "torsional_stiffness", "axial_stiffness",
-                         "shear_stiffness", "inertia", "polar_inertia"}) {}
+        : table_(value, {"name",
+                         "length",
+                         "outer_diameter",
+                         "inner_diameter",
+                         "linear_density",
+                         "density",
+                         "youngs_modulus",
+                         "poisson_ratio",
+                         "yield_strength",
+                         "curvature",
+                         "bending_stiffness",
+                         "torsional_stiffness",
+                         "axial_stiffness",
+                         "shear_stiffness",
+                         "inertia",
+                         "polar_inertia",
+                         "material_density",
+                         "joint_length",
+                         "tool_joint_outer_diameter",
+                         "tool_joint_inner_diameter",
+                         "tool_joint_length",
+                         "contact_diameter",
+                         "contact_length",
+                         "contact_position",
+                         "contact_stiffness",
+                         "bend",
+                         "bend_position",
+                         "toolface",
+                         "element_length"}) {}
 
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
         const std::optional<Value> value = table_.find(key);
@@ -97,7 +122,7 @@ class TableSource : public ComponentSource {
     Table table_;
 };
 
-constexpr std::array<std::string_view, 18> columns{"name",
+constexpr std::array<std::string_view, 31> columns{"name",
                                                    "length",
                                                    "outer_diameter",
                                                    "inner_diameter",
@@ -114,7 +139,20 @@ constexpr std::array<std::string_view, 18> columns{"name",
                                                    "axial_stiffness",
                                                    "shear_stiffness",
                                                    "inertia",
-                                                   "polar_inertia"};
+                                                   "polar_inertia",
+                                                   "material_density",
+                                                   "joint_length",
+                                                   "tool_joint_outer_diameter",
+                                                   "tool_joint_inner_diameter",
+                                                   "tool_joint_length",
+                                                   "contact_diameter",
+                                                   "contact_length",
+                                                   "contact_position",
+                                                   "contact_stiffness",
+                                                   "bend",
+                                                   "bend_position",
+                                                   "toolface",
+                                                   "element_length"};
 
 /// A row of a CSV file; an empty field is a key left out.
 class RowSource : public ComponentSource {
@@ -251,6 +289,108 @@ void read_diameters(const ComponentSource& source, Component& component) {
     }
 }
 
+/// Refuses a key that says nothing without another one.
+void refuse_alone(const ComponentSource& source, std::string_view key, const Dimension& dimension,
+                  std::string_view needed) {
+    if (source.quantity(key, dimension, {}))
+        source.fail(key, fmt::format("has no effect; expected it with {}", source.path_of(needed)));
+}
+
+std::optional<ToolJoints> read_joints(const ComponentSource& source, const Component& component) {
+    const std::optional<double> spacing =
+        source.quantity("joint_length", dimension::length, plausible::length);
+    if (!spacing) {
+        for (const std::string_view key :
+             {"tool_joint_outer_diameter", "tool_joint_inner_diameter", "tool_joint_length"})
+            refuse_alone(source, key, dimension::length, "joint_length");
+        return std::nullopt;
+    }
+    ToolJoints joints;
+    joints.spacing = *spacing;
+    joints.outer_diameter = require(
+        source.quantity("tool_joint_outer_diameter", dimension::length, plausible::diameter),
+        source, "tool_joint_outer_diameter", "a length such as \"6.625 in\"");
+    joints.inner_diameter =
+        source.quantity("tool_joint_inner_diameter", dimension::length, plausible::diameter_or_none)
+            .value_or(component.inner_diameter);
+    joints.length = value_or(
+        0, source.quantity("tool_joint_length", dimension::length, plausible::length_or_none),
+        "tool_joint_length");
+    if (joints.inner_diameter >= joints.outer_diameter)
+        source.fail("tool_joint_outer_diameter",
+                    fmt::format("is {:.9g} m; expected more than the inner diameter of {:.9g} m",
+                                joints.outer_diameter, joints.inner_diameter));
+    if (joints.length >= 0.5 * std::min(joints.spacing, component.length))
+        source.fail("tool_joint_length",
+                    fmt::format("is {:.9g} m; expected less than half of a joint of {:.9g} m",
+                                joints.length, std::min(joints.spacing, component.length)));
+    return joints;
+}
+
+/// A place along a component, from its upper end.
+double read_place(const ComponentSource& source, const Component& component, std::string_view key,
+                  double standard) {
+    const double place =
+        source.quantity(key, dimension::length, plausible::length_or_none).value_or(standard);
+    if (place > component.length)
+        source.fail(key, fmt::format("is {:.9g} m; expected at most {:.9g} m, the length of the "
+                                     "component",
+                                     place, component.length));
+    return place;
+}
+
+std::optional<ContactPoint> read_contact_point(const ComponentSource& source,
+                                               const Component& component) {
+    const std::optional<double> diameter =
+        source.quantity("contact_diameter", dimension::length, plausible::diameter);
+    if (!diameter) {
+        for (const std::string_view key : {"contact_length", "contact_position"})
+            refuse_alone(source, key, dimension::length, "contact_diameter");
+        refuse_alone(source, "contact_stiffness", dimension::pressure, "contact_diameter");
+        return std::nullopt;
+    }
+    ContactPoint point;
+    point.diameter = *diameter;
+    if (point.diameter < component.outer_diameter)
+        source.fail("contact_diameter",
+                    fmt::format("is {:.9g} m; expected at least the outer diameter of {:.9g} m",
+                                point.diameter, component.outer_diameter));
+    point.position = read_place(source, component, "contact_position", component.length / 2);
+    point.length = source.quantity("contact_length", dimension::length, plausible::length)
+                       .value_or(point.diameter);
+    point.stiffness =
+        source.quantity("contact_stiffness", dimension::pressure, plausible::wall_stiffness);
+    return point;
+}
+
+std::optional<BentPlace> read_bend(const ComponentSource& source, const Component& component) {
+    const std::optional<double> angle = source.quantity("bend", dimension::angle, plausible::bend);
+    if (!angle) {
+        refuse_alone(source, "bend_position", dimension::length, "bend");
+        refuse_alone(source, "toolface", dimension::angle, "bend");
+        return std::nullopt;
+    }
+    BentPlace bend;
+    bend.angle = *angle;
+    bend.position = read_place(source, component, "bend_position", component.length / 2);
+    bend.toolface =
+        value_or(0, source.quantity("toolface", dimension::angle, plausible::toolface), "toolface");
+    return bend;
+}
+
+/// Mass per length of tool joints and the pipe between, of one material.
+double jointed_density(double density, const Component& component) {
+    const auto ring = [](double outer, double inner) {
+        return std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+    };
+    const double pipe = ring(component.outer_diameter, component.inner_diameter);
+    if (!component.joints) return density * pipe;
+    const ToolJoints& joints = *component.joints;
+    const double pieces = std::max(1.0, std::round(component.length / joints.spacing));
+    const double share = joints.length * pieces / component.length;
+    return density * (pipe + share * (ring(joints.outer_diameter, joints.inner_diameter) - pipe));
+}
+
 double read_linear_density(const ComponentSource& source, const Component& component) {
     const std::optional<double> per_length =
         source.quantity("linear_density", dimension::linear_density, plausible::linear_density);
@@ -266,9 +406,7 @@ double read_linear_density(const ComponentSource& source, const Component& compo
     if (component.outer_diameter == 0) {
         source.fail("density", "needs outer_diameter; expected linear_density without it");
     }
-    const double outer = component.outer_diameter;
-    const double inner = component.inner_diameter;
-    return density * std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+    return jointed_density(density, component);
 }
 
 double read_youngs_modulus(const ComponentSource& source, const Component& component) {
@@ -286,7 +424,13 @@ PlacedComponent read_component(const ComponentSource& source) {
                                source, "length", "a length such as 9.1 or \"30 ft\"");
     read_section_keys(source, component);
     read_diameters(source, component);
+    component.joints = read_joints(source, component);
     component.linear_density = read_linear_density(source, component);
+    component.material_density =
+        source.quantity("material_density", dimension::density, plausible::density);
+    if (component.joints && !component.material_density)
+        component.material_density =
+            source.quantity("density", dimension::density, plausible::density);
     component.youngs_modulus = read_youngs_modulus(source, component);
     component.poisson_ratio = value_or(
         component.poisson_ratio, source.number("poisson_ratio", poisson_range), "poisson_ratio");
@@ -295,6 +439,10 @@ PlacedComponent read_component(const ComponentSource& source) {
                  source.quantity("yield_strength", dimension::pressure, plausible::elasticity),
                  "yield_strength");
     component.curvature = source.curvature();
+    component.contact = read_contact_point(source, component);
+    component.bend = read_bend(source, component);
+    component.element_length =
+        source.quantity("element_length", dimension::length, plausible::length);
     return {component, source.where("outer_diameter")};
 }
 

@@ -6,6 +6,10 @@
 #include <cstddef>
 #include <numbers>
 
+#include "model/cubic_lumping.hpp"
+#include "model/mesh_layout.hpp"
+#include "model/string_layout.hpp"
+
 namespace drillstrand {
 
 SectionProperties section_properties(const Component& component, double shear_coefficient) {
@@ -29,7 +33,13 @@ SectionProperties section_properties(const Component& component, double shear_co
         component.torsional_stiffness.value_or(shear_modulus * area * 2 * gyration2);
     section.metal_area = area;
     section.outer_area = pi / 4 * outer2;
+    if (component.material_density || component.joints) {
+        section.metal_area =
+            component.linear_density / component.material_density.value_or(steel_density);
+        section.outer_area = section.metal_area + pi / 4 * inner2;
+    }
     section.outer_radius = component.outer_diameter / 2;
+    section.flow_radius = section.outer_radius;
     section.curvature = component.curvature;
     if (section.outer_radius > 0) {
         const double section_modulus = area * gyration2 / section.outer_radius;
@@ -40,28 +50,12 @@ SectionProperties section_properties(const Component& component, double shear_co
     return section;
 }
 
-namespace {
-
-/// The string as stretches of constant properties along the arc length.
-struct Stretches {
-    std::vector<double> boundary;             ///< one more than stretches, from 0 to the length (m)
-    std::vector<SectionProperties> property;  ///< of each stretch
-};
-
-Stretches stretches_of(const StringCase& string) {
-    Stretches stretches;
-    stretches.boundary.push_back(0.0);
-    for (const Component& component : string.components) {
-        stretches.boundary.push_back(stretches.boundary.back() + component.length);
-        stretches.property.push_back(section_properties(component, string.shear_coefficient));
-    }
-    return stretches;
+double touching_radius(const Component& component) {
+    const double joints = component.joints ? component.joints->outer_diameter : 0;
+    return std::max(component.outer_diameter, joints) / 2;
 }
 
-/// What a node has of the string around it.
-constexpr std::array lumped{&SectionProperties::mass, &SectionProperties::inertia,
-                            &SectionProperties::polar_inertia, &SectionProperties::metal_area,
-                            &SectionProperties::outer_area};
+namespace {
 
 constexpr std::array stiffnesses{
     &SectionProperties::axial_stiffness, &SectionProperties::shear_stiffness,
@@ -69,26 +63,19 @@ constexpr std::array stiffnesses{
 
 constexpr std::array yield_loads{&YieldLoads::axial, &YieldLoads::bending, &YieldLoads::torsion};
 
-/// Running mean. Equal values give exactly that value, whatever their weights.
-template <typename Value>
-void add_to_mean(Value& mean, const Value& value, double share) {
-    mean += (value - mean) * share;
-}
-
 /// Walks down the string's stretches with places that never go up again.
 class Walk {
   public:
-    explicit Walk(const Stretches& stretches) : stretches_(stretches) {}
+    explicit Walk(const StringLayout& layout) : layout_(layout) {}
 
     /// Calls visit(properties, begin, end) for each stretch between two places (m).
     template <class Visit>
     void over(double from, double to, const Visit& visit) {
         go_to(from);
-        for (std::size_t i = here_; i < stretches_.property.size() && stretches_.boundary[i] < to;
-             ++i) {
-            const double begin = std::max(from, stretches_.boundary[i]);
-            const double end = std::min(to, stretches_.boundary[i + 1]);
-            if (end > begin) visit(stretches_.property[i], begin, end);
+        for (std::size_t i = here_; i < layout_.property.size() && layout_.boundary[i] < to; ++i) {
+            const double begin = std::max(from, layout_.boundary[i]);
+            const double end = std::min(to, layout_.boundary[i + 1]);
+            if (end > begin) visit(layout_.property[i], begin, end);
         }
     }
 
@@ -106,7 +93,7 @@ class Walk {
             if (!first) first = &part;
             covered += end - begin;
             const double share = (end - begin) / covered;
-            for (const auto property : lumped)
+            for (const auto property : lumped_properties)
                 add_to_mean(mean.*property, part.*property, share);
             add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
             for (const auto load : yield_loads)
@@ -119,138 +106,36 @@ class Walk {
         return mean;
     }
 
-    /// Outer radius at a point; the larger of the two at a joint, the last component's at the bit.
-    double radius_at(double s) {
-        const double length = stretches_.boundary.back();
+    /// Of the stretches at a point, the larger where two meet, the last at the bit.
+    template <class Value>
+    double largest_at(double s, const Value& value) {
+        const double length = layout_.length();
         const double rounding = 1e-12 * length;
-        if (s >= length - rounding) return stretches_.property.back().outer_radius;
+        if (s >= length - rounding) return value(layout_.property.size() - 1);
         go_to(s - rounding);
-        double radius = 0;
+        double most = 0;
         for (std::size_t i = here_;
-             i < stretches_.property.size() && stretches_.boundary[i] <= s + rounding; ++i)
-            radius = std::max(radius, stretches_.property[i].outer_radius);
-        return radius;
+             i < layout_.property.size() && layout_.boundary[i] <= s + rounding; ++i)
+            most = std::max(most, value(i));
+        return most;
     }
 
   private:
     /// The first stretch that does not end above.
     void go_to(double s) {
-        while (here_ + 1 < stretches_.property.size() && stretches_.boundary[here_ + 1] < s)
+        while (here_ + 1 < layout_.property.size() && layout_.boundary[here_ + 1] < s)
             ++here_;
     }
 
-    const Stretches& stretches_;
+    const StringLayout& layout_;
     std::size_t here_ = 0;
 };
 
-/// Integrals, from its start to the fraction x of its length, of the cubics on a segment that have
-/// the value 1 or the slope 1 (per length of the segment) at one of its ends and are 0 otherwise.
-struct CubicIntegrals {
-    double first, first_slope;
-    double last, last_slope;
-
-    explicit CubicIntegrals(double x)
-        : first(x - x * x * x * (1 - x / 2)),
-          first_slope(x * x * (0.5 - x * (2.0 / 3 - x / 4))),
-          last(x * x * x * (1 - x / 2)),
-          last_slope(x * x * x * (x / 4 - 1.0 / 3)) {}
-    CubicIntegrals(double from, double to) : CubicIntegrals(to) {
-        const CubicIntegrals before(from);
-        first -= before.first;
-        first_slope -= before.first_slope;
-        last -= before.last;
-        last_slope -= before.last_slope;
-    }
-};
-
-/// Lumps the string at its nodes as the cubics through them do, whose slopes are differences of the
-/// nodes' own places: engine/model/README.md, "Lumping".
-class CubicLumping {
-  public:
-    CubicLumping(std::size_t segments, bool head_is_free)
-        : node_(segments + 1), head_is_free_(head_is_free) {}
-
-    /// A stretch of uniform properties, between two fractions of a segment.
-    void add(std::size_t segment, const SectionProperties& part, double from, double to) {
-        CubicIntegrals weight(from, to);
-        const bool first_is_end = segment == 0;
-        const bool last_is_end = segment + 2 == node_.size();
-        double turned = 0;  // load that slopes at an end move from the first to the last node
-        if (first_is_end && head_is_free_) turned += weight.first_slope;
-        if (last_is_end) turned += weight.last_slope;
-        node_[segment].add(part, weight.first - turned);
-        node_[segment + 1].add(part, weight.last + turned);
-        if (!first_is_end) node_[segment].add_couple(part, weight.first_slope);
-        if (!last_is_end) node_[segment + 1].add_couple(part, weight.last_slope);
-    }
-
-    /// Sets what is lumped, per length of the cell, of the nodes of a mesh.
-    void lump(std::vector<SectionProperties>& nodes) const {
-        for (const auto property : lumped) {
-            for (std::size_t k = 0; k < nodes.size(); ++k)
-                nodes[k].*property = node_[k].mean.*property;
-            for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
-                const double moved = shift(k, property);
-                nodes[k - 1].*property -= moved / node_[k - 1].weight;
-                nodes[k + 1].*property += moved / node_[k + 1].weight;
-            }
-        }
-    }
-
-  private:
-    using Property = double SectionProperties::*;
-
-    struct Node {
-        double weight = 0;  ///< in lengths of a segment
-        SectionProperties mean;
-        const SectionProperties* reference = nullptr;
-        SectionProperties couple;  ///< of what differs from the reference
-
-        void add(const SectionProperties& part, double share) {
-            weight += share;
-            for (const auto property : lumped)
-                add_to_mean(mean.*property, part.*property, share / weight);
-        }
-        void add_couple(const SectionProperties& part, double share) {
-            if (!reference) reference = &part;
-            for (const auto property : lumped)
-                couple.*property += share * (part.*property - reference->*property);
-        }
-    };
-
-    /// What the couple on a node moves from the node before to the node after it. A node keeps a
-    /// quarter of its own at least: a mass that vanished would be too fast for any step.
-    [[nodiscard]] double shift(std::size_t node, Property property) const {
-        constexpr double most = 3.0 / 8;  // to either neighbour
-        const auto own = [&](const Node& at) { return at.weight * at.mean.*property; };
-        return std::clamp(node_[node].couple.*property / 2, -most * own(node_[node + 1]),
-                          most * own(node_[node - 1]));
-    }
-
-    std::vector<Node> node_;
-    bool head_is_free_;
-};
-
-/// Cells (m) of a uniform string on segments of the length h: a load on a free end's node is shared
-/// with its neighbour.
-std::vector<double> cubic_cells(std::size_t segments, double h, bool head_is_free) {
-    std::vector<double> cell(segments + 1, h);
-    cell.front() = cell.back() = h / 2;
-    const auto share = [&](double& end, double& neighbour) {
-        end -= h / 12;
-        neighbour += h / 12;
-    };
-    share(cell[segments], cell[segments - 1]);
-    if (head_is_free) share(cell[0], cell[1]);
-    return cell;
-}
-
 /// Replaces cells, and what nodes have of the string, by those of the cubics.
-void lump_on_cubics(StringMesh& mesh, const Stretches& stretches, bool head_is_free) {
-    const std::size_t segments = mesh.length.size();
-    CubicLumping lumping(segments, head_is_free);
-    Walk walk(stretches);
-    for (std::size_t k = 0; k < segments; ++k) {
+void lump_on_cubics(StringMesh& mesh, const StringLayout& layout, bool head_is_free) {
+    CubicLumping lumping(mesh.length, head_is_free);
+    Walk walk(layout);
+    for (std::size_t k = 0; k < mesh.length.size(); ++k) {
         const double start = mesh.node_s[k];
         const double h = mesh.node_s[k + 1] - start;
         walk.over(start, mesh.node_s[k + 1],
@@ -258,45 +143,108 @@ void lump_on_cubics(StringMesh& mesh, const Stretches& stretches, bool head_is_f
                       lumping.add(k, part, (begin - start) / h, (end - start) / h);
                   });
     }
-    lumping.lump(mesh.node);
-    mesh.cell = cubic_cells(segments, mesh.length.front(), head_is_free);
+    lumping.lump(mesh.cell, mesh.node);
+}
+
+/// Segments between nodes. On a mesh of one length all have that, to the last bit.
+void add_segments(StringMesh& mesh, const StringLayout& layout, int segments) {
+    const std::vector<double>& s = mesh.node_s;
+    Walk whole(layout);
+    Walk middles(layout);
+    for (std::size_t k = 0; k + 1 < s.size(); ++k) {
+        const double middle = 0.5 * (s[k] + s[k + 1]);
+        mesh.segment_s.push_back(middle);
+        mesh.length.push_back(segments > 0 ? layout.length() / segments : s[k + 1] - s[k]);
+        mesh.segment.push_back(whole.mean_over(s[k], s[k + 1]));
+        SectionProperties& segment = mesh.segment.back();
+        segment.outer_radius = middles.largest_at(
+            middle, [&](std::size_t i) { return layout.property[i].outer_radius; });
+        segment.flow_radius = segment.outer_radius;
+    }
+}
+
+/// Nodes with what lies around them, from the middle of one segment to the middle of the next. On a
+/// mesh of one length tool joints are everywhere: it has no nodes at them.
+void add_nodes(StringMesh& mesh, const StringLayout& layout, bool joints_everywhere) {
+    const std::size_t last = mesh.length.size();
+    Walk cells(layout);
+    Walk nodes(layout);
+    Walk flows(layout);
+    const auto radius = [&](std::size_t i) {
+        const double pipe = layout.property[i].outer_radius;
+        return joints_everywhere ? std::max(pipe, layout.joint_radius[i]) : pipe;
+    };
+    for (std::size_t k = 0; k <= last; ++k) {
+        const double s = mesh.node_s[k];
+        const double from = k > 0 ? mesh.segment_s[k - 1] : 0;
+        const double to = k < last ? mesh.segment_s[k] : layout.length();
+        mesh.cell.push_back(to - from);
+        mesh.node.push_back(cells.mean_over(from, to));
+        mesh.node.back().outer_radius = nodes.largest_at(s, radius);
+        mesh.node.back().flow_radius =
+            flows.largest_at(s, [&](std::size_t i) { return layout.property[i].flow_radius; });
+    }
+}
+
+/// Nodes at tool joints and contact points have their radius.
+void touch_at_places(StringMesh& mesh, const StringLayout& layout) {
+    const double rounding = place_rounding * layout.length();
+    std::size_t k = 0;
+    for (const TouchingPlace& place : layout.places) {
+        while (k + 1 < mesh.node_s.size() && mesh.node_s[k] < place.s - rounding)
+            ++k;
+        if (std::abs(mesh.node_s[k] - place.s) > rounding) {
+            if (place.contact) mesh.lost.push_back(place.s);
+            continue;
+        }
+        double& radius = mesh.node[k].outer_radius;
+        radius = std::max(radius, place.radius);
+        if (place.contact) mesh.contact.push_back({k, *place.contact});
+    }
+}
+
+/// Shares a kink between the segments above and below it: each turns by a half, which leads to the
+/// same lines beyond them. On a mesh without a node there the segment has all of it.
+void bend_at_kinks(StringMesh& mesh, const StringLayout& layout) {
+    const double rounding = place_rounding * layout.length();
+    const std::size_t last = mesh.length.size();
+    for (const Kink& kink : layout.kinks) {
+        const auto node = static_cast<std::size_t>(
+            std::lower_bound(mesh.node_s.begin(), mesh.node_s.end(), kink.s - rounding) -
+            mesh.node_s.begin());
+        const bool at_node = std::abs(mesh.node_s[node] - kink.s) <= rounding;
+        const Eigen::Vector3d turn =
+            kink.angle * Eigen::Vector3d(0, -std::sin(kink.toolface), std::cos(kink.toolface));
+        const auto bend = [&](std::size_t segment, double share) {
+            mesh.segment[segment].curvature += share / mesh.length[segment] * turn;
+        };
+        if (at_node && node > 0 && node < last) {
+            bend(node - 1, 0.5);
+            bend(node, 0.5);
+        } else {
+            bend(std::min(node > 0 ? node - 1 : 0, last - 1), 1);
+        }
+    }
 }
 
 }  // namespace
 
-StringMesh mesh_string(const StringCase& string, int segments, Lumping lumping) {
-    const Stretches stretches = stretches_of(string);
-    const double total = stretches.boundary.back();
-    const auto arc_length = [&](double position) { return total * (position / segments); };
-
+StringMesh mesh_string(const StringCase& string, const MeshCase& mesh_case, Lumping lumping) {
+    const StringLayout layout(string);
     StringMesh mesh;
-    const auto count = static_cast<std::size_t>(segments);
-    for (auto* row : {&mesh.node_s, &mesh.segment_s, &mesh.length, &mesh.cell})
-        row->reserve(count + 1);
-    mesh.node.reserve(count + 1);
-    mesh.segment.reserve(count);
-    Walk cells(stretches);
-    Walk nodes(stretches);
-    for (int k = 0; k <= segments; ++k) {
-        const double from = arc_length(std::max(0.0, k - 0.5));
-        const double to = arc_length(std::min<double>(segments, k + 0.5));
-        const double s = arc_length(k);
-        mesh.node_s.push_back(s);
-        mesh.cell.push_back(to - from);
-        mesh.node.push_back(cells.mean_over(from, to));
-        mesh.node.back().outer_radius = nodes.radius_at(s);
-    }
-    Walk whole(stretches);
-    Walk middles(stretches);
-    for (int k = 0; k < segments; ++k) {
-        const double middle = arc_length(k + 0.5);
-        mesh.segment_s.push_back(middle);
-        mesh.length.push_back(total / segments);
-        mesh.segment.push_back(whole.mean_over(arc_length(k), arc_length(k + 1)));
-        mesh.segment.back().outer_radius = middles.radius_at(middle);
-    }
+    mesh.node_s = node_places(string, layout, mesh_case);
+    const std::size_t nodes = mesh.node_s.size();
+    for (auto* row : {&mesh.segment_s, &mesh.length, &mesh.cell})
+        row->reserve(nodes);
+    mesh.node.reserve(nodes);
+    mesh.segment.reserve(nodes);
+    const bool is_uniform = mesh_case.segments > 0;
+    add_segments(mesh, layout, mesh_case.segments);
+    add_nodes(mesh, layout, is_uniform);
     if (lumping != Lumping::cells)
-        lump_on_cubics(mesh, stretches, lumping == Lumping::cubic_free_head);
+        lump_on_cubics(mesh, layout, lumping == Lumping::cubic_free_head);
+    touch_at_places(mesh, layout);
+    bend_at_kinks(mesh, layout);
     return mesh;
 }
 

@@ -10,6 +10,7 @@
 
 #include "drillstrand/error.hpp"
 #include "model/initial_shape.hpp"
+#include "model/pose.hpp"
 #include "model/segment_strain.hpp"
 
 namespace drillstrand {
@@ -47,21 +48,64 @@ Lumping lumping_of(const Case& input) {
                                                  : Lumping::cubic_clamped_head;
 }
 
+/// The wall at a contact point, per length of its node's cell (Pa): whatever the mesh, the point
+/// presses on its own length.
+double wall_at_contact_point(const ContactPoint& point, const ContactCase& contact, double cell) {
+    return point.stiffness.value_or(contact.point_stiffness) * point.length / cell;
+}
+
 /// Springs and dashpots of the wall at each node. The bit's node carries those of the wall that the
 /// bit touches on the length of its own cell, as it carries every load.
 void set_wall(Scene& scene) {
     const ContactCase& contact = scene.contact;
     const StringMesh& mesh = scene.mesh;
+    scene.normal_stiffness.assign(mesh.node.size(), contact.normal_stiffness);
+    scene.normal_stiffness.back() *= 1 + scene.bit.contact_length / mesh.cell.back();
+    for (const StringMesh::Contact& at : mesh.contact)
+        scene.normal_stiffness[at.node] =
+            wall_at_contact_point(at.point, contact, mesh.cell[at.node]);
     for (std::size_t k = 0; k < mesh.node.size(); ++k) {
-        const bool is_bit = k + 1 == mesh.node.size();
-        const double width = is_bit ? 1 + scene.bit.contact_length / mesh.cell[k] : 1.0;
-        const double stiffness = width * contact.normal_stiffness;
-        scene.normal_stiffness.push_back(stiffness);
-        scene.normal_damping.push_back(contact.restitution
-                                           ? 2 * damping_ratio_for(*contact.restitution) *
-                                                 std::sqrt(stiffness * scene.lateral_mass[k])
-                                           : width * contact.normal_damping);
+        const double stiffness = scene.normal_stiffness[k];
+        scene.normal_damping.push_back(
+            contact.restitution ? 2 * damping_ratio_for(*contact.restitution) *
+                                      std::sqrt(stiffness * scene.lateral_mass[k])
+                                : stiffness / contact.normal_stiffness * contact.normal_damping);
     }
+}
+
+/// The angle from d1 to the side of the hole that toolfaces are counted from, at a place of a
+/// string that lies in its well untwisted.
+double reference_toolface(const Well& well, const Eigen::Matrix3d& head_frame, double s) {
+    const double depth = well.measured_depth_start() + s;
+    Eigen::Vector3d t = head_frame.col(0);
+    Eigen::Vector3d d1 = head_frame.col(1);
+    const auto follow = [&](const Eigen::Vector3d& to) {
+        d1 = carried(d1, t, to);
+        t = to;
+    };
+    for (const WellArc& arc : well.arcs())
+        if (arc.measured_depth_start < depth) follow(arc.tangent);
+    follow(well.at(depth).direction);
+    constexpr double least_sine = 0.05;
+    const Eigen::Vector3d up(0, 0, -1);
+    const Eigen::Vector3d north(1, 0, 0);
+    const Eigen::Vector3d& reference = t.cross(up).norm() > least_sine ? up : north;
+    return std::atan2(reference.dot(t.cross(d1)), reference.dot(d1));
+}
+
+/// Toolfaces as angles from d1 of a string that lies in its well untwisted: the case counts them
+/// from the high side of the hole, to the right for one who looks down it, or, where the hole is
+/// within 3 degrees of vertical, from north.
+StringCase with_toolfaces_from_d1(StringCase string, const Well& well,
+                                  const Eigen::Matrix3d& head_frame) {
+    double s = 0;
+    for (Component& component : string.components) {
+        if (component.bend)
+            component.bend->toolface +=
+                reference_toolface(well, head_frame, s + component.bend->position);
+        s += component.length;
+    }
+    return string;
 }
 
 SceneFeatures features_of(const Case& input, const StringMesh& mesh) {
@@ -100,7 +144,7 @@ std::vector<double> lateral_masses(const Scene& scene) {
         masses.back() +=
             fluid_inside(node, *scene.fluid) +
             fluid_displaced(node, *scene.fluid) *
-                concentric_added_mass(node.outer_radius, scene.well->arcs()[arc].radius);
+                concentric_added_mass(node.flow_radius, scene.well->arcs()[arc].radius);
     }
     return masses;
 }
@@ -114,10 +158,12 @@ std::vector<double> section_inertias(const StringMesh& mesh) {
 
 /// Rotary inertias of nodes (kg m) with those of the segments' mass as rigid pieces.
 std::vector<double> rigid_piece_inertias(const Scene& scene) {
-    const double h = scene.mesh.length.front();
+    const std::vector<double>& length = scene.mesh.length;
     std::vector<double> inertias;
-    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k)
+    for (std::size_t k = 0; k < scene.mesh.node.size(); ++k) {
+        const double h = 0.5 * (length[k > 0 ? k - 1 : 0] + length[std::min(k, length.size() - 1)]);
         inertias.push_back(scene.mesh.node[k].inertia + scene.lateral_mass[k] * h * h / 12);
+    }
     return inertias;
 }
 
@@ -194,6 +240,14 @@ std::optional<std::string> note_on_braked_spin(const Scene& scene) {
         damping.rotation, damping.rotation * rate * length);
 }
 
+std::string note_on_lost_contact(double s) {
+    return fmt::format(
+        "the contact point {:.5g} m along the string lies between nodes and touches nothing: a "
+        "mesh "
+        "that follows the string (mesh.element_length) has a node there",
+        s);
+}
+
 }  // namespace
 
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& d3) {
@@ -214,7 +268,7 @@ double fluid_inside(const SectionProperties& section, const FluidCase& fluid) {
 }
 
 double fluid_displaced(const SectionProperties& section, const FluidCase& fluid) {
-    return fluid.density * std::numbers::pi * section.outer_radius * section.outer_radius;
+    return fluid.density * std::numbers::pi * section.flow_radius * section.flow_radius;
 }
 
 double buoyed_weight(const SectionProperties& section, const std::optional<FluidCase>& fluid,
@@ -225,30 +279,29 @@ double buoyed_weight(const SectionProperties& section, const std::optional<Fluid
     return (section.mass - fluid->density * displaced) * gravity;
 }
 
-Scene build_scene(const Case& input) {
+namespace {
+
+Scene scene_of(const Case& input) {
     Scene scene;
-    scene.segments = input.mesh.segments;
-    scene.mesh = mesh_string(input.string, input.mesh.segments, lumping_of(input));
-    scene.features = features_of(input, scene.mesh);
     scene.fluid = input.fluid;
     scene.contact = input.contact;
     scene.side_force_window = input.output.side_force_window;
     scene.damping = input.damping;
     scene.head = input.head;
     scene.bit = input.bit;
-    if (input.well) {
-        try {
-            scene.well.emplace(*input.well);
-        } catch (const std::invalid_argument& error) {
-            throw InputError({input.path.string()}, error.what());
-        }
-    }
+    if (input.well) scene.well.emplace(*input.well);
 
     const WellCrossSection mouth =
         scene.well ? scene.well->at(scene.well->measured_depth_start())
                    : WellCrossSection{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0, 0};
     scene.head_position = input.head.position.value_or(mouth.axis);
     scene.head_frame = frame_along(input.head.direction.value_or(mouth.direction).normalized());
+    scene.mesh =
+        mesh_string(scene.well ? with_toolfaces_from_d1(input.string, *scene.well, scene.head_frame)
+                               : input.string,
+                    input.mesh, lumping_of(input));
+    scene.segments = static_cast<int>(scene.mesh.length.size());
+    scene.features = features_of(input, scene.mesh);
     scene.initial_strain = initial_strains(scene, input.initial);
     scene.initial_nodes = initial_nodes(scene, input.initial);
     scene.head_position += input.initial.offset;
@@ -261,7 +314,19 @@ Scene build_scene(const Case& input) {
     for (const SectionProperties& node : scene.mesh.node)
         scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
     if (const auto note = note_on_braked_spin(scene)) scene.notes.push_back(*note);
+    for (const double s : scene.mesh.lost)
+        scene.notes.push_back(note_on_lost_contact(s));
     return scene;
+}
+
+}  // namespace
+
+Scene build_scene(const Case& input) {
+    try {
+        return scene_of(input);
+    } catch (const std::invalid_argument& error) {
+        throw InputError({input.path.string()}, error.what());
+    }
 }
 
 Scene build_static_scene(Case input) {

@@ -408,8 +408,9 @@ struct WellNodes {
     /// The annulus around the node: fluid that goes along knows it already.
     DRILLSTRAND_INLINE Annulus annulus(std::size_t k) const {
         if constexpr (!heavy) return wall.annulus(k, h.eccentricity[k], film);
-        return {film_eccentricity(h.eccentricity[k], wall.pipe[k], wall.hole[k], film),
-                wall.pipe[k],
+        const double pipe = wall.flow_radius_at(k);
+        return {film_eccentricity(h.eccentricity[k], pipe, wall.hole[k], film),
+                pipe,
                 wall.hole[k],
                 h.annulus_spread[k],
                 h.annulus_sinh[k],
@@ -434,12 +435,12 @@ struct WellNodes {
         DragCoefficients drag = {h.drag_radial[k], h.drag_axial[k], h.drag_around[k],
                                  h.drag_cross[k], h.drag_spin[k]};
         const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
+        const double pipe = wall.flow_radius_at(k);
         if constexpr (streaming) {
-            drag = with_inertia(drag, wall.flow(k), wall.pipe[k], std::sqrt(u.r * u.r + u.t * u.t),
-                                u.l, u.spin);
+            drag = with_inertia(drag, wall.flow(k), pipe, std::sqrt(u.r * u.r + u.t * u.t), u.l,
+                                u.spin);
         }
-        drag =
-            around_wall(drag, h.eccentricity[k], wall.pipe[k], wall.hole[k], film, wet_in_contact);
+        drag = around_wall(drag, h.eccentricity[k], pipe, wall.hole[k], film, wet_in_contact);
         const WellVelocity after = implicit_drag(u, drag, mobility(k));
         h.u_r[k] = after.r;
         h.u_l[k] = after.l;

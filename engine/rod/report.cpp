@@ -117,8 +117,7 @@ void report_contact(SeriesRecord& record, const Scene& scene,
         depth.push_back(c.well_depth);
         if (c.penetration <= 0) continue;
         ++record.contact_nodes;
-        record.relative_penetration =
-            std::max(record.relative_penetration, c.penetration / c.clearance);
+        record.relative_penetration = std::max(record.relative_penetration, c.penetration / c.room);
         if (c.penetration <= record.max_penetration) continue;
         record.max_penetration = c.penetration;
         record.penetration_depth = c.well_depth;

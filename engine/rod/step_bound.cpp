@@ -131,29 +131,39 @@ struct MovedInertia {
     }
 };
 
-StepBound leapfrog_bound(const Scene& scene) {
+/// What bounds the leapfrog's step.
+struct LeapfrogBounds {
     Tightest axial;
     Tightest torsional;
     Tightest any;
-    const std::vector<ExpectedLoad> loads = expected_loads(scene);
-    for (std::size_t k = 0; k < loads.size(); ++k) {
-        const SegmentRates rates = segment_rates(scene, k, loads[k]);
-        const MovedInertia moved(scene, k);
-        const auto offer = [&](Tightest& tightest, double rate, double inertia,
-                               const char* process) {
+
+    void offer(const Scene& scene, std::size_t segment, const ExpectedLoad& load) {
+        const SegmentRates rates = segment_rates(scene, segment, load);
+        const MovedInertia moved(scene, segment);
+        const auto to = [&](Tightest& tightest, double rate, double inertia, const char* process) {
             tightest.offer(rate, leapfrog_product(scene.damping, rate, inertia), process);
         };
-        offer(axial, rates.axial, moved.along, "axial waves");
-        offer(torsional, rates.torsional, moved.about, "torsional waves");
-        offer(any, rates.any, moved.across, "bending of neighbouring nodes");
+        to(axial, rates.axial, moved.along, "axial waves");
+        to(torsional, rates.torsional, moved.about, "torsional waves");
+        to(any, rates.any, moved.across, "bending of neighbouring nodes");
     }
-    const double step = std::min({axial.bound().step, torsional.bound().step, any.bound().step});
+    [[nodiscard]] double step() const {
+        return std::min({axial.bound().step, torsional.bound().step, any.bound().step});
+    }
+};
+
+StepBound leapfrog_bound(const Scene& scene) {
+    LeapfrogBounds bounds;
+    const std::vector<ExpectedLoad> loads = expected_loads(scene);
+    for (std::size_t k = 0; k < loads.size(); ++k)
+        bounds.offer(scene, k, loads[k]);
+    const double step = bounds.step();
     // nodes of pipes turn as fast as axial waves but for end effects: the waves give the name
     constexpr double as_fast = 1.05;
-    for (const Tightest* waves : {&axial, &torsional})
+    for (const Tightest* waves : {&bounds.axial, &bounds.torsional})
         if (waves->bound().step < as_fast * step)
             return {step, waves->bound().rate, waves->bound().process};
-    return any.bound();
+    return bounds.any.bound();
 }
 
 }  // namespace
@@ -161,6 +171,17 @@ StepBound leapfrog_bound(const Scene& scene) {
 StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
     return integrator == IntegratorKind::leapfrog ? leapfrog_bound(scene)
                                                   : dormand_prince_bound(scene);
+}
+
+std::vector<double> segment_steps(const Scene& scene) {
+    std::vector<double> steps;
+    const std::vector<ExpectedLoad> loads = expected_loads(scene);
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+        LeapfrogBounds bounds;
+        bounds.offer(scene, k, loads[k]);
+        steps.push_back(bounds.step());
+    }
+    return steps;
 }
 
 }  // namespace drillstrand

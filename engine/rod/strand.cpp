@@ -416,10 +416,11 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
                 drag.axial = eccentric_axial * drag.axial + around_node.concentric_axial[k];
                 drag = scaled(drag, viscosity);
                 // without inertia of the flow its coefficients are 0
-                drag = with_inertia(drag, around_node.flow(k), around_node.pipe[k],
+                const double flowed_by = around_node.flow_radius_at(k);
+                drag = with_inertia(drag, around_node.flow(k), flowed_by,
                                     std::sqrt(v_r * v_r + v_t * v_t), v_l, w_l);
-                drag = around_wall(drag, frame.eccentricity, around_node.pipe[k],
-                                   around_node.hole[k], film, wet_in_contact);
+                drag = around_wall(drag, frame.eccentricity, flowed_by, around_node.hole[k], film,
+                                   wet_in_contact);
                 f_r -= drag.radial * v_r;
                 f_l -= drag.axial * v_l;
                 f_t -= drag.around * v_t + drag.cross * w_l;

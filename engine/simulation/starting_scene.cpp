@@ -16,8 +16,7 @@ void check_penetration(const Case& input, const Scene& scene) {
     for (std::size_t k = 0; k < scene.mesh.node.size() && scene.well; ++k) {
         const NodeContact contact = surroundings.contact(wall, k, scene.initial_nodes.position[k]);
         const double depth = contact.penetration;
-        const double clearance = contact.eccentricity - depth;
-        const double limit = input.initial.penetration_limit.value_or(clearance);
+        const double limit = input.initial.penetration_limit.value_or(contact.room);
         if (depth <= limit) continue;
         throw InputError(
             {input.path.string()},

@@ -63,7 +63,9 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
             const Vector3d& x = scene.initial_nodes.position[node];
             arc = scene.well->find_arc(x, arc);
             const WellCrossSection section = scene.well->project(x, arc);
-            const double clearance = section.radius - scene.mesh.node[node].outer_radius;
+            // a part as wide as its hole has no clearance to measure steps by
+            const double clearance = std::max(section.radius - scene.mesh.node[node].outer_radius,
+                                              0.01 * section.radius);
             across_.emplace_back(Matrix3d::Identity() -
                                  section.direction * section.direction.transpose());
             firmness_.push_back(scene.mesh.cell[node] *

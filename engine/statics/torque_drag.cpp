@@ -52,12 +52,13 @@ struct Answer {
 };
 
 void check_fit(const Case& input, const Component& pipe, const WellArc& arc, double depth) {
-    if (pipe.outer_diameter < 2 * arc.radius) return;
+    const double widest = 2 * touching_radius(pipe);
+    if (widest <= 2 * arc.radius + input.contact.interference) return;
     throw InputError({input.path.string()},
                      fmt::format("a pipe of {:.9g} m comes to a measured depth of {:.9g} m, where "
                                  "the hole has {:.9g} m; give torque_drag.depths at which the "
                                  "string fits",
-                                 pipe.outer_diameter, depth, 2 * arc.radius));
+                                 widest, depth, 2 * arc.radius));
 }
 
 Site site_at(const Case& input, const Scene& scene, double s) {
@@ -72,14 +73,17 @@ Site site_at(const Case& input, const Scene& scene, double s) {
         std::numbers::pi / 64 *
         (std::pow(pipe.outer_diameter, 4) - std::pow(pipe.inner_diameter, 4));
     Site site;
-    site.area = section.metal_area;
+    site.area =
+        std::numbers::pi / 4 *
+        (pipe.outer_diameter * pipe.outer_diameter - pipe.inner_diameter * pipe.inner_diameter);
     site.section_modulus = second_moment / section.outer_radius;
-    site.limits = buckling_limits({.bending_stiffness = section.bending_stiffness,
-                                   .weight = buoyed_weight(section, input.fluid, input.gravity),
-                                   .clearance = arc.radius - section.outer_radius,
-                                   .direction = axis.direction,
-                                   .curvature = axis.curvature,
-                                   .down = scene.down});
+    site.limits = buckling_limits(
+        {.bending_stiffness = section.bending_stiffness,
+         .weight = buoyed_weight(section, input.fluid, input.gravity),
+         .clearance = std::max(arc.radius - touching_radius(pipe), 0.01 * arc.radius),
+         .direction = axis.direction,
+         .curvature = axis.curvature,
+         .down = scene.down});
     return site;
 }
 

@@ -9,6 +9,18 @@ namespace drillstrand {
 
 namespace {
 
+/// Takes pipe from the upper end of a component, or adds some.
+void cut_above(Component& component, double excess) {
+    component.length -= excess;
+    const auto follow = [&](auto& part) {
+        if (!part) return;
+        part->position -= excess;
+        if (part->position < 0) part.reset();
+    };
+    follow(component.contact);
+    follow(component.bend);
+}
+
 /// The lower part of a string of that length, or the string with a longer top component.
 StringCase string_of_length(const StringCase& string, double length) {
     StringCase result = string;
@@ -19,7 +31,7 @@ StringCase string_of_length(const StringCase& string, double length) {
         ++top;
     }
     result.components.erase(result.components.begin(), top);
-    result.components.front().length -= excess;
+    cut_above(result.components.front(), excess);
     return result;
 }
 
@@ -51,10 +63,12 @@ SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOpti
 
 Case case_at_depth(const Case& input, double bit_depth) {
     const double length = bit_depth - input.well->survey.front().measured_depth;
-    const double segment = total_length(input.string) / input.mesh.segments;
     Case result = input;
     result.string = string_of_length(input.string, length);
-    result.mesh.segments = std::max(1, static_cast<int>(std::lround(length / segment)));
+    if (input.mesh.segments > 0) {
+        const double segment = total_length(input.string) / input.mesh.segments;
+        result.mesh.segments = std::max(1, static_cast<int>(std::lround(length / segment)));
+    }
     result.head.position.reset();
     result.head.direction.reset();
     result.initial = {};
@@ -88,7 +102,8 @@ SoftString soft_string(const Case& at_depth, const Scene& scene,
         const SectionProperties section =
             section_properties(component, at_depth.string.shear_coefficient);
         const double weight = buoyed_weight(section, at_depth.fluid, at_depth.gravity);
-        result.stretches.push_back({depth, depth + component.length, weight, section.outer_radius});
+        result.stretches.push_back(
+            {depth, depth + component.length, weight, touching_radius(component)});
         depth += component.length;
     }
     result.contact = scene.contact;

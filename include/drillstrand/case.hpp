@@ -51,13 +51,39 @@ struct FluidCase {
     bool added_mass = true;    ///< fluid moves sideways with the pipe; false: the paper
 };
 
+/// Tool joints of a pipe that is screwed together of pieces of one length. Its ends are joints too.
+struct ToolJoints {
+    double spacing = 0;         ///< length of a piece with its joint (m)
+    double outer_diameter = 0;  ///< m
+    double inner_diameter = 0;  ///< m
+    double length = 0;          ///< of pin and box together (m); 0: joints touch, but are no steel
+};
+
+/// A place of a component that touches the wall with a diameter of its own: the blades of a
+/// stabiliser, the gauge of a bit.
+struct ContactPoint {
+    double position = 0;              ///< from the component's upper end (m)
+    double diameter = 0;              ///< m
+    double length = 0;                ///< of wall that it touches (m)
+    std::optional<double> stiffness;  ///< of that wall (Pa)
+};
+
+/// A kink of a component that is not stressed.
+struct BentPlace {
+    double position = 0;  ///< from the component's upper end (m)
+    double angle = 0;     ///< rad
+    double toolface = 0;  ///< of the side that it bends to: from d1 to d2 (rad)
+};
+
 /// A stretch of pipe of one kind.
 struct Component {
     std::string name;
     double length = 0;          ///< m
     double outer_diameter = 0;  ///< m; 0 where every section property is given outright
     double inner_diameter = 0;  ///< m
-    double linear_density = 0;  ///< kg/m
+    double linear_density = 0;  ///< kg/m, tool joints included
+    /// kg/m3, from which the displaced volume follows; unset: that follows from the diameters
+    std::optional<double> material_density;
     double youngs_modulus = 0;  ///< Pa
     double poisson_ratio = 0.3;
     double yield_strength = 900e6;                        ///< Pa
@@ -68,6 +94,10 @@ struct Component {
     std::optional<double> shear_stiffness;                ///< N
     std::optional<double> inertia;                        ///< about a diameter, per length (kg m)
     std::optional<double> polar_inertia;                  ///< about the axis, per length (kg m)
+    std::optional<ToolJoints> joints;
+    std::optional<ContactPoint> contact;
+    std::optional<BentPlace> bend;
+    std::optional<double> element_length;  ///< largest length of segments in it (m)
 };
 
 struct StringCase {
@@ -78,8 +108,21 @@ struct StringCase {
 /// Length of all components (m).
 double total_length(const StringCase& string);
 
+/// A stretch of string with segments of its own length.
+struct MeshRefinement {
+    double from = 0;            ///< along the string (m)
+    double to = 0;              ///< m
+    bool from_the_bit = false;  ///< places count upward from the bit
+    double element_length = 0;  ///< largest (m)
+};
+
+/// Either segments of one length, or nodes where the string has its places, with segments between
+/// them that are at most so long.
 struct MeshCase {
-    int segments = 0;
+    int segments = 0;            ///< of one length; 0: nodes follow the string
+    double element_length = 0;   ///< where they do: largest length of a segment (m)
+    int segments_per_joint = 2;  ///< between tool joints, at least
+    std::vector<MeshRefinement> refine;
     bool segment_inertia = false;  ///< dormand-prince: rotary inertia of rigid pieces
 };
 
@@ -118,6 +161,7 @@ struct FrictionCoefficients {
 
 struct ContactCase {
     double normal_stiffness = 1e7;      ///< Pa, per length
+    double point_stiffness = 6e8;       ///< Pa, under contact points that state none
     double normal_damping = 1e5;        ///< Pa s; unused where restitution is set
     std::optional<double> restitution;  ///< 0..1: sets the damping from each node's own mass
     double tangential_stiffness = 1e6;  ///< Pa
@@ -125,7 +169,8 @@ struct ContactCase {
     FrictionCoefficients static_friction{0.6, 0.6};
     FrictionCoefficients dynamic_friction{0.42, 0.42};
     FrictionLaw law = FrictionLaw::coulomb;
-    bool tension = false;  ///< true: the dashpot may pull (the paper)
+    bool tension = false;     ///< true: the dashpot may pull (the paper)
+    double interference = 0;  ///< by which a contact point may be wider than the hole (m)
 };
 
 /// Damping of translation and of rotation.

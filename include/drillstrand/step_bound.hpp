@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drillstrand/case.hpp"
 #include "drillstrand/scene.hpp"
@@ -20,5 +21,8 @@ struct StepBound {
 /// the leapfrog each segment under the loads that the scene lets expect. The leapfrog solves
 /// contact and fluid implicitly, so that only the rod bounds it.
 StepBound step_bound(const Scene& scene, IntegratorKind integrator);
+
+/// The leapfrog's, of each segment alone (s): the least of them is that of the string.
+std::vector<double> segment_steps(const Scene& scene);
 
 }  // namespace drillstrand

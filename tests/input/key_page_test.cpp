@@ -51,8 +51,23 @@ axial_stiffness = 1
 shear_stiffness = 1
 inertia = 1
 polar_inertia = 1
+material_density = 7850
+joint_length = 10
+tool_joint_outer_diameter = 0.12
+tool_joint_inner_diameter = 0.07
+tool_joint_length = 0.4
+contact_diameter = 0.15
+contact_length = 0.3
+contact_position = 5
+contact_stiffness = 1e9
+bend = 0.01
+bend_position = 5
+toolface = 0
+element_length = 5
 [mesh]
 element_length = 10
+segments_per_joint = 2
+refine = [{from = 0, to = 10, measured_from = "bit", element_length = 1}]
 segment_inertia = true
 [head]
 position = [0, 0, 0]
@@ -71,10 +86,12 @@ moment = [0, 0, 0]
 [contact]
 restitution = 0.5
 normal_stiffness = 1e7
+point_stiffness = 1e9
 tangential_stiffness = 1e7
 rolling_creep = 0.005
 law = "coulomb"
 tension = false
+interference = 0
 static_friction = 0.6
 dynamic_friction = 0.4
 [damping]

@@ -113,6 +113,12 @@ TEST(SectionProperties, NeedNoDiameterWhereEverythingIsGiven) {
     EXPECT_EQ(section.metal_area, 0);
 }
 
+MeshCase uniform(int segments) {
+    MeshCase mesh;
+    mesh.segments = segments;
+    return mesh;
+}
+
 constexpr Lumping every_lumping[] = {Lumping::cells, Lumping::cubic_clamped_head,
                                      Lumping::cubic_free_head};
 
@@ -141,7 +147,7 @@ TEST(StringMesh, AUniformStringKeepsItsOwnProperties) {
         string.components.push_back(steel_pipe(length, 0.127, 0.1086));
     const SectionProperties pipe = section_properties(string.components[0], 1.0);
     for (const Lumping lumping : every_lumping) {
-        const StringMesh mesh = mesh_string(string, 37, lumping);
+        const StringMesh mesh = mesh_string(string, uniform(37), lumping);
         std::vector<SectionProperties> sections = mesh.node;
         sections.insert(sections.end(), mesh.segment.begin(), mesh.segment.end());
         for (const SectionProperties& section : sections) {
@@ -162,7 +168,7 @@ TEST(StringMesh, AUniformStringKeepsItsOwnProperties) {
 TEST(StringMesh, IsUniformWithHalfCellsAtBothEnds) {
     StringCase string;
     string.components = {steel_pipe(100, 0.127, 0.1086)};
-    const StringMesh mesh = mesh_string(string, 8, Lumping::cells);
+    const StringMesh mesh = mesh_string(string, uniform(8), Lumping::cells);
     ASSERT_EQ(mesh.node_s.size(), 9U);
     ASSERT_EQ(mesh.segment_s.size(), 8U);
     EXPECT_EQ(mesh.node_s.front(), 0);
@@ -179,7 +185,7 @@ TEST(StringMesh, CubicsShareTheLoadOfAFreeEndWithItsNeighbour) {
     // Gregory's weights 5/12 and 13/12; a clamp takes the couple of the load beside it.
     const StringCase string = light_and_heavy({96}, 1);
     const auto expect_cells = [&](int segments, Lumping lumping, std::vector<double> twelfths) {
-        const StringMesh mesh = mesh_string(string, segments, lumping);
+        const StringMesh mesh = mesh_string(string, uniform(segments), lumping);
         const double h = 96.0 / segments;
         ASSERT_EQ(mesh.cell.size(), twelfths.size());
         for (std::size_t k = 0; k < twelfths.size(); ++k)
@@ -194,8 +200,8 @@ TEST(StringMesh, CubicsShareTheLoadOfAFreeEndWithItsNeighbour) {
 
 TEST(StringMesh, CubicsMoveTheCoupleOfAJumpBetweenItsNeighbours) {
     // 8 segments of 1 m, three times the mass from node 4 on: a couple of 2/12 there.
-    const std::vector<double> mass =
-        node_masses(mesh_string(light_and_heavy({4, 4}, 3), 8, Lumping::cubic_clamped_head));
+    const std::vector<double> mass = node_masses(
+        mesh_string(light_and_heavy({4, 4}, 3), uniform(8), Lumping::cubic_clamped_head));
     const double expected[] = {0.5, 1, 1, 1 - 1.0 / 12, 2, 3 + 1.0 / 12, 3, 3.25, 1.25};
     for (std::size_t k = 0; k < mass.size(); ++k)
         EXPECT_NEAR(mass[k], expected[k], 1e-14) << "node " << k;
@@ -210,7 +216,7 @@ TEST(StringMesh, CubicsKeepTheCentreOfMassOfFreeStrings) {
         start += part.length;
     }
     for (const int segments : {1, 2, 3, 7, 40}) {
-        const StringMesh mesh = mesh_string(string, segments, Lumping::cubic_free_head);
+        const StringMesh mesh = mesh_string(string, uniform(segments), Lumping::cubic_free_head);
         const std::vector<double> mass = node_masses(mesh);
         const double sum = std::inner_product(mass.begin(), mass.end(), mesh.node_s.begin(), 0.0);
         EXPECT_NEAR(sum / first_moment, 1, 1e-13) << segments << " segments";
@@ -225,7 +231,7 @@ TEST(StringMesh, CubicsConvergeToTheWorkOfALoadAtFourthOrder) {
     const double rate = 2 * pi / length;
     const double exact = ((1 - std::cos(rate * joint)) + 4 * (std::cos(rate * joint) - 1)) / rate;
     const auto error = [&](int segments) {
-        const StringMesh mesh = mesh_string(string, segments, Lumping::cubic_free_head);
+        const StringMesh mesh = mesh_string(string, uniform(segments), Lumping::cubic_free_head);
         const std::vector<double> mass = node_masses(mesh);
         double work = 0;
         for (std::size_t k = 0; k < mass.size(); ++k)
@@ -240,7 +246,7 @@ TEST(StringMesh, CubicsLeaveEachNodeAQuarterOfItsOwnBesideMuchHeavierPipe) {
     for (const double ratio : {10.0, 30.0, 1e4}) {
         const StringCase string = light_and_heavy({4, 4, 2, 4.5, 0.5, 5}, ratio);
         for (const Lumping lumping : {Lumping::cubic_clamped_head, Lumping::cubic_free_head}) {
-            const std::vector<double> mass = node_masses(mesh_string(string, 20, lumping));
+            const std::vector<double> mass = node_masses(mesh_string(string, uniform(20), lumping));
             EXPECT_GE(*std::min_element(mass.begin(), mass.end()), 5.0 / 12 / 4) << ratio;
             EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0) / (6.5 + 13.5 * ratio), 1,
                         1e-14);
@@ -253,7 +259,8 @@ TEST(StringMesh, TotalsOfRandomStringsAreKept) {
     std::uniform_int_distribution<int> segments(1, 400);
     for (int n = 0; n < 100; ++n) {
         const StringCase string = random_string(random);
-        const StringMesh mesh = mesh_string(string, segments(random), every_lumping[n % 3]);
+        const StringMesh mesh =
+            mesh_string(string, uniform(segments(random)), every_lumping[n % 3]);
         const auto expect_kept = [&](auto member) {
             double sum = 0;
             for (std::size_t k = 0; k < mesh.node.size(); ++k)
@@ -280,7 +287,7 @@ TEST(StringMesh, UniformStressStretchesAndTurnsTheMeshAsTheString) {
     std::uniform_int_distribution<int> segments(1, 400);
     for (int n = 0; n < 100; ++n) {
         const StringCase string = random_string(random);
-        const StringMesh mesh = mesh_string(string, segments(random), Lumping::cells);
+        const StringMesh mesh = mesh_string(string, uniform(segments(random)), Lumping::cells);
         // Stretch under unit tension, twist under unit torque, turn under unit bending moment.
         for (const auto stiffness :
              {&SectionProperties::axial_stiffness, &SectionProperties::shear_stiffness,
@@ -306,7 +313,7 @@ TEST(StringMesh, UniformStressStretchesAndTurnsTheMeshAsTheString) {
 TEST(StringMesh, HangingStringStretchesUnderABitLoadByTheSumOfItsParts) {
     StringCase string;
     string.components = {steel_pipe(1900, 0.149225, 0.128143), steel_pipe(100, 0.2, 0.07)};
-    const StringMesh mesh = mesh_string(string, 33, Lumping::cells);
+    const StringMesh mesh = mesh_string(string, uniform(33), Lumping::cells);
     const double load = 1e5;
     double stretch = 0;
     for (std::size_t k = 0; k < mesh.segment.size(); ++k)
@@ -320,7 +327,7 @@ TEST(StringMesh, NodesCarryTheRadiusOfTheirComponent) {
     StringCase string;
     string.components = {steel_pipe(50, 0.10, 0.05), steel_pipe(49.7, 0.20, 0.05),
                          steel_pipe(0.3, 0.15, 0.05)};
-    const StringMesh mesh = mesh_string(string, 10, Lumping::cells);
+    const StringMesh mesh = mesh_string(string, uniform(10), Lumping::cells);
     EXPECT_EQ(mesh.node[0].outer_radius, 0.05);
     EXPECT_EQ(mesh.node[4].outer_radius, 0.05);
     EXPECT_EQ(mesh.node[5].outer_radius, 0.10);  // a joint: the larger one

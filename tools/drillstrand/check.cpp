@@ -256,6 +256,64 @@ std::string rotary_inertia(const Case& input) {
                                       : "of the sections alone";
 }
 
+std::string length_range(double least, double most) {
+    const bool alike = most - least <= 1e-9 * most;
+    return alike ? fmt::format("{:.4g} m", most) : fmt::format("{:.4g} to {:.4g} m", least, most);
+}
+
+/// The segments of each component, the step that they would take alone, and what touches there.
+/// Only where the mesh follows the string: elsewhere components say nothing about it.
+void print_meshes_of_components(const Case& input, const Scene& scene) {
+    const std::vector<double> steps = segment_steps(scene);
+    const StringMesh& mesh = scene.mesh;
+    double end = 0;
+    std::size_t k = 0;
+    for (const Component& component : input.string.components) {
+        end += component.length;
+        const std::size_t first = k;
+        while (k < mesh.length.size() && mesh.segment_s[k] < end)
+            ++k;
+        if (k == first) continue;
+        const auto part = [&](const std::vector<double>& row) {
+            return std::minmax_element(row.begin() + static_cast<std::ptrdiff_t>(first),
+                                       row.begin() + static_cast<std::ptrdiff_t>(k));
+        };
+        const auto [shortest, longest] = part(mesh.length);
+        std::string text =
+            fmt::format("{} segment{} of {}, step {:.2g} s", k - first, k - first == 1 ? "" : "s",
+                        length_range(*shortest, *longest), *part(steps).first);
+        if (component.joints)
+            text +=
+                fmt::format(", tool joints of {}", diameter_text(component.joints->outer_diameter));
+        if (component.contact)
+            text +=
+                fmt::format(", touches with {} on {:.3g} m",
+                            diameter_text(component.contact->diameter), component.contact->length);
+        if (component.bend)
+            text += fmt::format(", bent by {:.3g} deg",
+                                component.bend->angle / unit_factor("deg", dimension::angle));
+        line("  " + component.name, text);
+    }
+}
+
+/// Components of which no node tells anything: their mass and stiffness count, their radius does
+/// not.
+void warn_of_components_without_node(const Case& input, const Scene& scene) {
+    double start = 0;
+    for (const Component& component : input.string.components) {
+        const double end = start + component.length;
+        const std::vector<double>& s = scene.mesh.node_s;
+        const auto node = std::lower_bound(s.begin(), s.end(), start);
+        if (node == s.end() || *node > end)
+            fmt::print(
+                "Warning: component {} at {:.5g} m along the string lies between nodes: its "
+                "diameter touches nothing; a mesh that follows the string (mesh.element_length) "
+                "has nodes at its ends\n",
+                component.name, start);
+        start = end;
+    }
+}
+
 void print_mesh(const Case& input, const Scene& scene) {
     const auto [least, most] =
         std::minmax_element(scene.mesh.length.begin(), scene.mesh.length.end());
@@ -265,6 +323,7 @@ void print_mesh(const Case& input, const Scene& scene) {
                          ? fmt::format("{} of {:.5g} m", scene.segments, *most)
                          : fmt::format("{} of {:.5g} to {:.5g} m", scene.segments, *least, *most));
     line("rotary inertia", rotary_inertia(input));
+    if (input.mesh.segments == 0) print_meshes_of_components(input, scene);
 }
 
 void print_cost(const Case& input, const Scene& scene) {
@@ -359,11 +418,15 @@ bool falls_at_the_start(const Case& input, const Scene& scene) {
            input.run.integrator == IntegratorKind::leapfrog;
 }
 
+std::size_t segments_of(const Case& input) {
+    return mesh_string(input.string, input.mesh, Lumping::cells).length.size();
+}
+
 /// Whether the equilibrium to start from takes longer to find (0.3 ms a segment) than who checks a
 /// case waits.
 bool is_long_to_find(const Case& input) {
     constexpr int most_segments = 10'000;
-    return input.initial.state == InitialState::equilibrium && input.mesh.segments > most_segments;
+    return input.initial.state == InitialState::equilibrium && segments_of(input) > most_segments;
 }
 
 /// The case, coaxial where its equilibrium is long to find.
@@ -378,7 +441,7 @@ void tell_of_long_search(const Case& input) {
             "Not checked: whether there is an equilibrium to start from; with {} segments the "
             "search "
             "would take longer than all else\n",
-            input.mesh.segments);
+            segments_of(input));
 }
 
 void advise_equilibrium(const Case& input, const Scene& scene) {
@@ -403,6 +466,7 @@ int check(const CheckOptions& options) {
     print_cost(input, scene);
     warn_of_notes(scene);
     warn_of_coarse_mesh(scene);
+    warn_of_components_without_node(input, scene);
     warn_of_cut_corners(input, scene);
     warn_of_paper_friction(scene);
     advise_equilibrium(input, scene);
