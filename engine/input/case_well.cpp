@@ -40,6 +40,30 @@ std::vector<WellSectionCase> read_sections(const Value& list, double start) {
     return sections;
 }
 
+/// The stations of the survey, and what the case says of the well above them.
+std::vector<SurveyStation> read_stations(const Table& table, const std::filesystem::path& folder) {
+    const Value file = table.require("survey", "the name of a CSV file, or of WITSML in .xml");
+    Survey survey = read_survey(folder / file.text(), file.where());
+    const std::optional<Value> above = table.find("tie_in");
+    const bool starts_below = survey.stations.front().measured_depth > 0;
+    if (above) {
+        const TieIn meaning =
+            above->choice<TieIn>({{"vertical", TieIn::vertical}, {"start", TieIn::start}});
+        if (!starts_below)
+            above->fail(
+                "has no effect; expected it with a survey that starts "
+                "below 0");
+        tie_in(survey, meaning);
+    } else if (starts_below) {
+        throw InputError(survey.start,
+                         fmt::format("the survey starts at md {}; expected a station at 0, or in "
+                                     "[well] tie_in = \"vertical\" (a vertical station at 0 is "
+                                     "added) or \"start\" (the well starts there)",
+                                     survey.start_depth));
+    }
+    return survey.stations;
+}
+
 std::string describe(std::size_t index, const Component& component) {
     if (component.name.empty()) return fmt::format("component {}", index + 1);
     return fmt::format("component {} ({})", index + 1, in_quotes(component.name));
@@ -72,12 +96,11 @@ void check_diameter(const WellCase& well, double top, double bottom, const std::
 std::optional<WellCase> read_well(const Table& root, const std::filesystem::path& folder) {
     const std::optional<Value> value = root.find("well");
     if (!value) return std::nullopt;
-    const Table table(*value, {"survey", "diameter", "section"});
+    const Table table(*value, {"survey", "tie_in", "diameter", "section"});
     table.refuse_both("diameter", "section");
 
     WellCase well;
-    const Value survey = table.require("survey", "the name of a CSV file");
-    well.survey = read_survey(folder / survey.text(), survey.where());
+    well.survey = read_stations(table, folder);
     if (const std::optional<Value> sections = table.find("section")) {
         well.sections = read_sections(*sections, well.survey.front().measured_depth);
     } else {

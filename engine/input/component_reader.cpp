@@ -19,6 +19,8 @@
 #include "input/plausible.hpp"
 #include "input/table.hpp"
 #include "input/text_file.hpp"
+#include "input/witsml.hpp"
+#include "input/witsml_tubular.hpp"
 #include "input/wording.hpp"
 
 namespace drillstrand {
@@ -313,6 +315,7 @@ std::vector<PlacedComponent> read_component_list(const Value& list) {
 
 std::vector<PlacedComponent> read_component_file(const std::filesystem::path& path,
                                                  const SourceLocation& asked_at) {
+    if (is_witsml(path)) return read_tubular(path, asked_at);
     const DelimitedTable table(read_text_file(path, asked_at), path.string());
     refuse_unknown_columns(table);
     if (table.rows() > most_components)

@@ -19,8 +19,9 @@ struct PlacedComponent {
 /// The list [[string.component]].
 std::vector<PlacedComponent> read_component_list(const Value& list);
 
-/// A CSV file of components. Throws InputError at the field where the table is wrong, at
-/// `asked_at` (the key that names the file) where it cannot be read.
+/// A CSV file of components, or a tubular in WITSML where its name ends with .xml. Throws
+/// InputError at the field where the table is wrong, at `asked_at` (the key that names the file)
+/// where it cannot be read.
 std::vector<PlacedComponent> read_component_file(const std::filesystem::path& path,
                                                  const SourceLocation& asked_at);
 

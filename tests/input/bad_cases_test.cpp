@@ -55,7 +55,7 @@ TEST(BadCases, MissingKeysAreAskedForAtTheirTable) {
         {"[mesh]\nsegments = 50\n", "",
          R"(case.toml:1:1: missing key "mesh"; expected a table with segments or element_length)"},
         {"survey = \"survey.csv\"\n", "",
-         R"(case.toml:3:1: missing key "well.survey"; expected the name of a CSV file)"},
+         R"(case.toml:3:1: missing key "well.survey"; expected the name of a CSV file, or of WITSML in .xml)"},
         {"diameter = 0.3111\n", "",
          R"(case.toml:3:1: missing key "well.diameter"; expected a length such as "12.25 in", or [[well.section]])"},
         {"density = 1917\n", "",
