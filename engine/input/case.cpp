@@ -5,6 +5,7 @@
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
 #include "input/plausible.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -48,6 +49,7 @@ std::vector<std::filesystem::path> files_of(const toml::table& root,
 Case read_case(const std::filesystem::path& path,
                const std::vector<std::pair<std::string, std::string>>& overrides) {
     CaseDocument document = load_case_document(path, overrides);
+    const WrittenLengths lengths;
     const Table root(
         document.root, "",
         {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit", "contact", "damping",

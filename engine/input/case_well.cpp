@@ -7,6 +7,7 @@
 #include "input/plausible.hpp"
 #include "input/survey.hpp"
 #include "input/wording.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -29,8 +30,8 @@ std::vector<WellSectionCase> read_sections(const Value& list, double start) {
         const Value to = table.require("to", "the measured depth of the section's end");
         const double end = to.quantity(dimension::length, plausible::coordinate);
         if (end <= last) {
-            to.fail(fmt::format(
-                "is {:.9g} m; expected more than {:.9g} m, where the section starts", end, last));
+            to.fail(fmt::format("is {}; expected more than {}, where the section starts",
+                                length_text(end), length_text(last)));
         }
         last = end;
         const Value diameter = table.require("diameter", "the diameter of the hole");
@@ -81,11 +82,11 @@ void check_diameter(const WellCase& well, double top, double bottom, const std::
         const double rounding = length_rounding * bottom;
         if (top < to - rounding && bottom > from + rounding && outer_diameter >= section.diameter) {
             throw InputError(
-                where, fmt::format(
-                           "{} has an outer diameter of {:.9g} m; expected less than {:.9g} m, the "
-                           "diameter of the well from {:.9g} m to {:.9g} m",
-                           name, outer_diameter, section.diameter, std::max(top, from),
-                           std::min(bottom, to)));
+                where,
+                fmt::format("{} has an outer diameter of {}; expected less than {}, the "
+                            "diameter of the well from {} to {}",
+                            name, length_text(outer_diameter), length_text(section.diameter),
+                            length_text(std::max(top, from)), length_text(std::min(bottom, to))));
         }
         from = to;
     }
@@ -154,9 +155,9 @@ void check_fit(const WellCase& well, const StringInput& input, const HeadCase& h
     const double string_length = total_length(input.string);
     if (string_length > well_length * (1 + length_rounding)) {
         throw InputError(input.where,
-                         fmt::format("the string is {:.9g} m long; expected at most {:.9g} m, "
+                         fmt::format("the string is {} long; expected at most {}, "
                                      "the length of the surveyed well",
-                                     string_length, well_length));
+                                     length_text(string_length), length_text(well_length)));
     }
     const bool head_at_start = !head.position || head.position->isZero(0);
     double top = start;
@@ -184,7 +185,7 @@ void check_fit_at(const WellCase& well, const StringInput& input, double bit_dep
         const Component& component = input.string.components[k];
         const double top = k == 0 ? start : std::max(start, bottom - component.length);
         const std::string name =
-            fmt::format("with the bit at {:.9g} m, {}", bit_depth, describe(k, component));
+            fmt::format("with the bit at {}, {}", length_text(bit_depth), describe(k, component));
         check_diameter(well, top, bottom, name, component.outer_diameter, where);
         bottom = top;
     }

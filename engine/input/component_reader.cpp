@@ -49,7 +49,16 @@ class ComponentSource {
     [[nodiscard]] virtual Eigen::Vector3d curvature() const = 0;
     [[nodiscard]] virtual SourceLocation where(std::string_view key) const = 0;
     [[nodiscard]] virtual std::string path_of(std::string_view key) const = 0;
+    /// With its unit; empty where it is left out.
+    [[nodiscard]] virtual std::string written(std::string_view key,
+                                              const Dimension& dimension) const = 0;
 
+    [[nodiscard]] WrittenValue written_value(std::string_view key,
+                                             const Dimension& dimension) const {
+        std::string text = written(key, dimension);
+        if (text.empty()) return {};
+        return {path_of(key), std::move(text), where(key)};
+    }
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
         throw InputError(where(key), fmt::format("{} {}", path_of(key), problem));
     }
@@ -94,6 +103,11 @@ class TableSource : public ComponentSource {
     [[nodiscard]] std::string path_of(std::string_view key) const override {
         return table_.path_of(key);
     }
+    [[nodiscard]] std::string written(std::string_view key,
+                                      const Dimension& dimension) const override {
+        const std::optional<Value> value = table_.find(key);
+        return value ? value->written(dimension) : "";
+    }
 
   private:
     Table table_;
@@ -134,6 +148,7 @@ class RowSource : public ComponentSource {
         if (!column) return std::nullopt;
         const double value =
             table_.number(row_, *column) * table_.column_factor(*column, dimension, 1);
+        WrittenLengths::note(value, dimension, written(key, dimension));
         return checked(key, value, range,
                        fmt::format("{} {}", range.describe(), si_unit(dimension)));
     }
@@ -160,6 +175,14 @@ class RowSource : public ComponentSource {
     }
     [[nodiscard]] std::string path_of(std::string_view key) const override {
         return std::string(key);
+    }
+    [[nodiscard]] std::string written(std::string_view key,
+                                      const Dimension& dimension) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        if (!column) return "";
+        const std::string& unit = table_.columns()[*column].unit;
+        return fmt::format("{} {}", table_.text(row_, *column),
+                           unit.empty() ? si_unit(dimension) : unit);
     }
 
   private:
@@ -248,8 +271,9 @@ void read_diameters(const ComponentSource& source, Component& component) {
         "inner_diameter");
     if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
         source.fail("inner_diameter",
-                    fmt::format("is {:.9g} m; expected less than the outer diameter of {:.9g} m",
-                                component.inner_diameter, component.outer_diameter));
+                    fmt::format("is {}; expected less than the outer diameter of {}",
+                                length_text(component.inner_diameter),
+                                length_text(component.outer_diameter)));
     }
 }
 
@@ -300,6 +324,15 @@ PlacedComponent read_component(const ComponentSource& source) {
     return {component, source.where("outer_diameter")};
 }
 
+/// The component, and how what warnings speak of is written.
+PlacedComponent read_as_written(const ComponentSource& source) {
+    PlacedComponent placed = read_component(source);
+    placed.mass = source.written_value("linear_density", dimension::linear_density);
+    if (placed.mass.path.empty()) placed.mass = source.written_value("density", dimension::density);
+    placed.modulus = source.written_value("youngs_modulus", dimension::pressure);
+    return placed;
+}
+
 }  // namespace
 
 std::vector<PlacedComponent> read_component_list(const Value& list) {
@@ -307,7 +340,7 @@ std::vector<PlacedComponent> read_component_list(const Value& list) {
     const std::vector<Value> values = list.elements("a list of tables [[string.component]]");
     if (values.size() > most_components) list.fail(too_many(values.size()));
     for (const Value& value : values) {
-        result.push_back(read_component(TableSource(value)));
+        result.push_back(read_as_written(TableSource(value)));
     }
     if (result.empty()) list.fail("is empty; expected at least one component");
     return result;
@@ -322,7 +355,7 @@ std::vector<PlacedComponent> read_component_file(const std::filesystem::path& pa
         throw InputError({path.string(), 1, 1}, "the table " + too_many(table.rows()));
     std::vector<PlacedComponent> result;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        result.push_back(read_component(RowSource(table, row)));
+        result.push_back(read_as_written(RowSource(table, row)));
     }
     if (result.empty()) {
         throw InputError({path.string(), 1, 1},

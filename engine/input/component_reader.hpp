@@ -7,6 +7,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
 #include "input/value.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -14,6 +15,8 @@ namespace drillstrand {
 struct PlacedComponent {
     Component component;
     SourceLocation where;
+    WrittenValue mass = {};     ///< its linear_density or density
+    WrittenValue modulus = {};  ///< its youngs_modulus
 };
 
 /// The list [[string.component]].

@@ -15,6 +15,7 @@
 #include "input/text_file.hpp"
 #include "input/witsml.hpp"
 #include "input/witsml_trajectory.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -190,6 +191,7 @@ Survey read_survey(const std::filesystem::path& path, const SourceLocation& aske
                          fmt::format("the survey has {} stations; expected at least two",
                                      survey.stations.size()));
     }
+    WrittenLengths::note_unit(source->depth_unit(0));
     survey.start = source->where(0, StationSource::measured_depth);
     survey.start_depth =
         fmt::format("{} {}", source->text(0, StationSource::measured_depth), source->depth_unit(0));

@@ -45,9 +45,7 @@ class TubularReader {
     [[nodiscard]] std::vector<PlacedComponent> components() const {
         std::vector<NumberedComponent> numbered;
         for (const pugi::xml_node node : file_.children(file_.object(), "tubularComponent"))
-            numbered.push_back({read_sequence(node),
-                                file_.require(node, "sequence"),
-                                {read_component(node), file_.where(file_.require(node, "od"))}});
+            numbered.push_back({read_sequence(node), file_.require(node, "sequence"), place(node)});
         if (numbered.empty())
             fail(file_.object(), "the tubular has no tubularComponent; expected at least one");
         std::stable_sort(numbered.begin(), numbered.end(), [](const auto& left, const auto& right) {
@@ -95,7 +93,15 @@ class TubularReader {
             fail(element,
                  fmt::format("{} is {}; expected {} {}", name, WitsmlFile::written(element),
                              range.describe(), si_unit(dimension)));
+        WrittenLengths::note(value, dimension, WitsmlFile::written(element));
         return value;
+    }
+
+    [[nodiscard]] PlacedComponent place(pugi::xml_node node) const {
+        const pugi::xml_node mass = file_.require(node, "wtPerLen");
+        return {read_component(node),
+                file_.where(file_.require(node, "od")),
+                {"wtPerLen", WitsmlFile::written(mass), file_.where(mass)}};
     }
 
     [[nodiscard]] Component read_component(pugi::xml_node node) const {
