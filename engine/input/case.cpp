@@ -4,6 +4,7 @@
 
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
+#include "input/plausibility.hpp"
 #include "input/plausible.hpp"
 #include "input/written.hpp"
 
@@ -76,6 +77,7 @@ Case read_case(const std::filesystem::path& path,
     if (result.well) check_fit(*result.well, string, result.head);
     result.torque_drag = read_torque_drag(root, result.well, string);
     check_initial_equilibrium(result, document.root);
+    result.warnings = implausible_numbers(document.root, result, string);
     result.path = path;
     result.files = files_of(document.root, path);
     result.text = std::move(document.text);

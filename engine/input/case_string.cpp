@@ -40,6 +40,8 @@ StringInput read_string(const Table& root, const std::filesystem::path& folder) 
     for (PlacedComponent& component : placed) {
         input.string.components.push_back(std::move(component.component));
         input.component_places.push_back(std::move(component.where));
+        input.masses.push_back(std::move(component.mass));
+        input.moduli.push_back(std::move(component.modulus));
     }
     return input;
 }
