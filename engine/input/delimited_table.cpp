@@ -112,8 +112,8 @@ void DelimitedTable::read_line(std::string_view line, std::size_t number) {
         return;
     }
     const std::vector<Field> fields = split(line, number);
-    const bool may_be_units = std::exchange(after_header_, false);
-    if (may_be_units && take_units(fields)) return;
+    if (after_header_ && continues_header(fields)) return;
+    if (std::exchange(after_header_, false) && take_units(fields)) return;
     add_row(fields, count_characters(line) + 1);
 }
 
@@ -245,6 +245,16 @@ DelimitedTable::Column DelimitedTable::read_header_field(const Field& field) con
                          fmt::format("header {} does not end with {}; expected NAME[UNIT]",
                                      in_quotes(content), parts.unclosed));
     return {std::move(parts.name), std::move(parts.unit), place(field)};
+}
+
+bool DelimitedTable::continues_header(const std::vector<Field>& fields) const {
+    return std::any_of(known_.begin(), known_.end(), [&](const KnownColumn& known) {
+        const std::size_t column = require_column(known.name);
+        if (column >= fields.size()) return false;
+        const HeaderField field = split_header(unquoted(fields[column].written));
+        return unit_if_named(field, known, known.names) ||
+               unit_if_named(field, known, known.fallbacks);
+    });
 }
 
 bool DelimitedTable::take_units(const std::vector<Field>& fields) {

@@ -81,6 +81,9 @@ class DelimitedTable {
     void name_known_columns(const Header& header);
     void refuse_doubles() const;
     [[nodiscard]] Column read_header_field(const Field& field) const;
+    /// Whether a line after the header is its second one, as in "Measured" over "Depth".
+    [[nodiscard]] bool continues_header(const std::vector<Field>& fields) const;
+    /// Whether it is a line of units, which are then those of the columns.
     [[nodiscard]] bool take_units(const std::vector<Field>& fields);
     void take_unit(Column& column, const Field& field, const std::string& unit) const;
     void add_row(const std::vector<Field>& fields, std::size_t end_column);

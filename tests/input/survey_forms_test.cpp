@@ -67,6 +67,12 @@ TEST(SurveyForms, ALineOfUnitsMayFollowTheHeader) {
     expect_same(read_survey_text("MD (ft),Inc,Azi\nft,deg,deg\n" + rows), in_feet);
 }
 
+TEST(SurveyForms, AHeaderMayTakeTwoLines) {
+    expect_same(read_survey_text("Measured,Incl.,Azim.,Vertical\nDepth,,,Depth\n"
+                                 "(ft),(deg),(deg),(ft)\n0,0,0,0\n609.6,30,270,\n1000,31.5,271,\n"),
+                in_feet);
+}
+
 TEST(SurveyForms, LinesBeforeTheHeaderAreSkipped) {
     expect_same(read_survey_text("Survey report;;;\nWell: A-1, 12 1/4\" hole\n"
                                  "Depth reference: RKB, 25 m above MSL\nDate,2019-05-01\n\n"
