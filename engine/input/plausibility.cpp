@@ -238,9 +238,9 @@ class Checker {
 
     [[nodiscard]] static std::string density_text(double density, const Metal& metal,
                                                   bool per_length) {
-        const std::string expected =
-            metal.density > 0 ? fmt::format("{} has {:.0f} kg/m3", metal.name, metal.density)
-                              : "no metal has so much or so little";
+        std::string expected = metal.density > 0
+                                   ? fmt::format("{} has {:.0f} kg/m3", metal.name, metal.density)
+                                   : "no metal has so much or so little";
         if (!per_length) return expected;
         return fmt::format("{:.4g} kg/m3 over its section, where {}", density, expected);
     }

@@ -136,8 +136,7 @@ class SurveyReader {
                              source_.value(row, StationSource::azimuth)};
         if (!plausible::coordinate.contains(result.measured_depth))
             throw InputError(source_.where(row, StationSource::measured_depth),
-                             fmt::format("md is {}; expected {} m",
-                                         source_.text(row, StationSource::measured_depth),
+                             fmt::format("md is {}; expected {} m", depth_text(row),
                                          plausible::coordinate.describe()));
         if (result.inclination < 0 ||
             result.inclination > std::numbers::pi + inclination_rounding) {

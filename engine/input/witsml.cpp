@@ -95,7 +95,7 @@ void WitsmlFile::find_object(const std::string& name) {
     object_ = objects.front();
 }
 
-std::vector<pugi::xml_node> WitsmlFile::children(pugi::xml_node node, std::string_view name) const {
+std::vector<pugi::xml_node> WitsmlFile::children(pugi::xml_node node, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node child : node.children())
         if (child.type() == pugi::node_element && local_name(child) == name) found.push_back(child);

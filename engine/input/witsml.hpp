@@ -27,8 +27,8 @@ class WitsmlFile {
                const std::string& object);
 
     [[nodiscard]] pugi::xml_node object() const { return object_; }
-    [[nodiscard]] std::vector<pugi::xml_node> children(pugi::xml_node node,
-                                                       std::string_view name) const;
+    [[nodiscard]] static std::vector<pugi::xml_node> children(pugi::xml_node node,
+                                                              std::string_view name);
     /// Throws InputError at `node` where it has no such child, or several.
     [[nodiscard]] pugi::xml_node require(pugi::xml_node node, std::string_view name) const;
     [[nodiscard]] std::optional<std::string> text(pugi::xml_node node, std::string_view name) const;

@@ -79,6 +79,8 @@ TEST(BadTables, MistakesInASurveyAreLocated) {
          "survey.csv:3:6: the row has 2 fields; expected 3 as in the header"},
         {"md,inclination,azimuth\n0,0,0\n520,1,5,0\n",
          "survey.csv:3:9: the row has 4 fields; expected 3 as in the header"},
+        {"md[ft],inclination,azimuth\n0,0,0\n5e6,1,0\n",
+         "survey.csv:3:1: md is 5e6 ft; expected -1e6 to 1e6 m"},
         {"md,inclination,azimuth\n0,0,0\n520,181,0\n",
          "survey.csv:3:5: inclination is 181; expected 0 to 180 degrees"},
         {"md,inclination,azimuth\n0,-1,0\n520,1,0\n",
