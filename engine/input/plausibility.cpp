@@ -109,7 +109,7 @@ class Checker {
         if (unit.empty()) return std::nullopt;
         for (const std::string_view other : units)
             if (other != unit && makes_sense(number * unit_factor(other, dimension)))
-                return fmt::format("\"{:.9g} {}\"", number, other);
+                return fmt::format("\"{}{}\"", text.substr(0, text.size() - unit.size()), other);
         return std::nullopt;
     }
 
