@@ -4,7 +4,9 @@
 
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
+#include "input/plausibility.hpp"
 #include "input/plausible.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -48,6 +50,7 @@ std::vector<std::filesystem::path> files_of(const toml::table& root,
 Case read_case(const std::filesystem::path& path,
                const std::vector<std::pair<std::string, std::string>>& overrides) {
     CaseDocument document = load_case_document(path, overrides);
+    const WrittenLengths lengths;
     const Table root(
         document.root, "",
         {"title", "gravity", "well", "fluid", "string", "mesh", "head", "bit", "contact", "damping",
@@ -74,6 +77,7 @@ Case read_case(const std::filesystem::path& path,
     if (result.well) check_fit(*result.well, string, result.head, result.contact.interference);
     result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
+    result.warnings = implausible_numbers(document.root, result, string);
     result.path = path;
     result.files = files_of(document.root, path);
     result.text = std::move(document.text);

@@ -126,17 +126,18 @@ void check_records(const Table& root, const char* key, double interval, double d
     if (interval == 0 || records <= most_records) return;
     const std::string limit = fmt::format("expected at most {:g}, an interval of at least {:.3g} s",
                                           most_records, duration / most_records);
+    const Value run = *root.find("run");
+    const Value lasting(*(*run.node().as_table())["duration"].node(), "run.duration");
     const std::optional<Value> output = root.find("output");
     const toml::node* node = output ? (*output->node().as_table())[key].node() : nullptr;
     const std::string path = fmt::format("output.{}", key);
     if (node != nullptr)
         Value(*node, path)
-            .fail(fmt::format("makes {:.3g} records in {:.6g} s; {}", records, duration, limit));
+            .fail(fmt::format("makes {:.3g} records in {}; {}", records,
+                              lasting.written(dimension::time), limit));
     // then the duration is what the user wrote
-    const Value run = *root.find("run");
-    Value(*(*run.node().as_table())["duration"].node(), "run.duration")
-        .fail(fmt::format("makes {:.3g} records with {} = {:.6g} s; {}", records, path, interval,
-                          limit));
+    lasting.fail(
+        fmt::format("makes {:.3g} records with {} = {:.6g} s; {}", records, path, interval, limit));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace drillstrand {
 struct StringInput {
     StringCase string;
     std::vector<SourceLocation> component_places;
+    std::vector<WrittenValue> masses;  ///< of each component, as written
+    std::vector<WrittenValue> moduli;  ///< likewise; without a path where left out
     SourceLocation where;
 };
 

@@ -5,6 +5,7 @@
 
 #include "input/case_sections.hpp"
 #include "input/plausible.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -40,6 +41,8 @@ StringInput read_string(const Table& root, const std::filesystem::path& folder) 
     for (PlacedComponent& component : placed) {
         input.string.components.push_back(std::move(component.component));
         input.component_places.push_back(std::move(component.where));
+        input.masses.push_back(std::move(component.mass));
+        input.moduli.push_back(std::move(component.modulus));
     }
     return input;
 }
@@ -64,14 +67,14 @@ MeshRefinement read_refinement(const Value& value, double string_length) {
     const Value to = table.require("to", "the other end of the stretch");
     refine.to = to.quantity(dimension::length, plausible::length);
     if (refine.to <= refine.from)
-        to.fail(fmt::format("is {:.9g} m; expected more than {:.9g} m, where the stretch starts",
-                            refine.to, refine.from));
+        to.fail(fmt::format("is {}; expected more than {}, where the stretch starts",
+                            length_text(refine.to), length_text(refine.from)));
     refine.from_the_bit =
         table.choice<bool>("measured_from", false, {{"head", false}, {"bit", true}});
     if (refine.from >= string_length)
         table.require("from", "")
-            .fail(fmt::format("is {:.9g} m; expected less than {:.9g} m, the length of the string",
-                              refine.from, string_length));
+            .fail(fmt::format("is {}; expected less than {}, the length of the string",
+                              length_text(refine.from), length_text(string_length)));
     refine.element_length =
         read_element_length(table.require("element_length", "the largest length of a segment"),
                             std::min(refine.to, string_length) - refine.from);

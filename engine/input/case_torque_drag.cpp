@@ -6,6 +6,7 @@
 
 #include "input/case_sections.hpp"
 #include "input/plausible.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -24,10 +25,10 @@ double read_depth(const Value& value, const WellCase& well) {
     // depths in feet differ from those of the survey by rounding
     constexpr double rounding = 1e-9;
     if (depth > start && depth <= end * (1 + rounding)) return depth;
-    value.fail(
-        fmt::format("is {:.9g} m; expected more than {:.9g} m, where the well starts, and at most "
-                    "{:.9g} m, where its survey ends",
-                    depth, start, end));
+    value.fail(fmt::format(
+        "is {}; expected more than {}, where the well starts, and at most {}, where its "
+        "survey ends",
+        length_text(depth), length_text(start), length_text(end)));
 }
 
 /// The depths between two, and those two; the last step may be shorter.
@@ -39,7 +40,8 @@ std::vector<double> read_steps(const Value& value, const WellCase& well) {
     const double last = read_depth(to, well);
     const double distance = step.quantity(dimension::length, plausible::length);
     if (last < first)
-        to.fail(fmt::format("is {:.9g} m; expected at least from, {:.9g} m", last, first));
+        to.fail(fmt::format("is {}; expected at least from, {}", length_text(last),
+                            length_text(first)));
     const double steps = (last - first) / distance;
     if (steps > most_depths)
         step.fail(fmt::format("makes {:.0f} depths; expected at most {:.0f}", steps, most_depths));
@@ -61,8 +63,8 @@ std::vector<double> read_list(const Value& value, const WellCase& well) {
     for (const Value& entry : entries) {
         const double depth = read_depth(entry, well);
         if (!depths.empty() && depth <= depths.back())
-            entry.fail(fmt::format("is {:.9g} m; expected more than {:.9g} m, the depth before it",
-                                   depth, depths.back()));
+            entry.fail(fmt::format("is {}; expected more than {}, the depth before it",
+                                   length_text(depth), length_text(depths.back())));
         depths.push_back(depth);
     }
     if (depths.empty()) value.fail(fmt::format("is empty; expected {}", some_depths));

@@ -7,6 +7,7 @@
 #include "input/plausible.hpp"
 #include "input/survey.hpp"
 #include "input/wording.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -29,8 +30,8 @@ std::vector<WellSectionCase> read_sections(const Value& list, double start) {
         const Value to = table.require("to", "the measured depth of the section's end");
         const double end = to.quantity(dimension::length, plausible::coordinate);
         if (end <= last) {
-            to.fail(fmt::format(
-                "is {:.9g} m; expected more than {:.9g} m, where the section starts", end, last));
+            to.fail(fmt::format("is {}; expected more than {}, where the section starts",
+                                length_text(end), length_text(last)));
         }
         last = end;
         const Value diameter = table.require("diameter", "the diameter of the hole");
@@ -38,6 +39,30 @@ std::vector<WellSectionCase> read_sections(const Value& list, double start) {
     }
     if (sections.empty()) list.fail("is empty; expected at least one section");
     return sections;
+}
+
+/// The stations of the survey, and what the case says of the well above them.
+std::vector<SurveyStation> read_stations(const Table& table, const std::filesystem::path& folder) {
+    const Value file = table.require("survey", "the name of a CSV file, or of WITSML in .xml");
+    Survey survey = read_survey(folder / file.text(), file.where());
+    const std::optional<Value> above = table.find("tie_in");
+    const bool starts_below = survey.stations.front().measured_depth > 0;
+    if (above) {
+        const TieIn meaning =
+            above->choice<TieIn>({{"vertical", TieIn::vertical}, {"start", TieIn::start}});
+        if (!starts_below)
+            above->fail(
+                "has no effect; expected it with a survey that starts "
+                "below 0");
+        tie_in(survey, meaning);
+    } else if (starts_below) {
+        throw InputError(survey.start,
+                         fmt::format("the survey starts at md {}; expected a station at 0, or in "
+                                     "[well] tie_in = \"vertical\" (a vertical station at 0 is "
+                                     "added) or \"start\" (the well starts there)",
+                                     survey.start_depth));
+    }
+    return survey.stations;
 }
 
 std::string describe(std::size_t index, const Component& component) {
@@ -74,10 +99,11 @@ void check_diameter(const WellCase& well, double top, double bottom, const std::
             widest.diameter > section.diameter + interference) {
             throw InputError(
                 where,
-                fmt::format("{} has {} of {:.9g} m; expected at most {:.9g} m, the "
-                            "diameter of the well from {:.9g} m to {:.9g} m{}",
-                            name, widest.what, widest.diameter, section.diameter + interference,
-                            std::max(top, from), std::min(bottom, to),
+                fmt::format("{} has {} of {}; expected at most {}, the diameter of the well from "
+                            "{} to {}{}",
+                            name, widest.what, length_text(widest.diameter),
+                            length_text(section.diameter + interference),
+                            length_text(std::max(top, from)), length_text(std::min(bottom, to)),
                             interference > 0 ? " and contact.interference" : ""));
         }
         from = to;
@@ -89,12 +115,11 @@ void check_diameter(const WellCase& well, double top, double bottom, const std::
 std::optional<WellCase> read_well(const Table& root, const std::filesystem::path& folder) {
     const std::optional<Value> value = root.find("well");
     if (!value) return std::nullopt;
-    const Table table(*value, {"survey", "diameter", "section"});
+    const Table table(*value, {"survey", "tie_in", "diameter", "section"});
     table.refuse_both("diameter", "section");
 
     WellCase well;
-    const Value survey = table.require("survey", "the name of a CSV file");
-    well.survey = read_survey(folder / survey.text(), survey.where());
+    well.survey = read_stations(table, folder);
     if (const std::optional<Value> sections = table.find("section")) {
         well.sections = read_sections(*sections, well.survey.front().measured_depth);
     } else {
@@ -149,9 +174,9 @@ void check_fit(const WellCase& well, const StringInput& input, const HeadCase& h
     const double string_length = total_length(input.string);
     if (string_length > well_length * (1 + length_rounding)) {
         throw InputError(input.where,
-                         fmt::format("the string is {:.9g} m long; expected at most {:.9g} m, "
+                         fmt::format("the string is {} long; expected at most {}, "
                                      "the length of the surveyed well",
-                                     string_length, well_length));
+                                     length_text(string_length), length_text(well_length)));
     }
     const bool head_at_start = !head.position || head.position->isZero(0);
     double top = start;
@@ -179,7 +204,7 @@ void check_fit_at(const WellCase& well, const StringInput& input, double interfe
         const Component& component = input.string.components[k];
         const double top = k == 0 ? start : std::max(start, bottom - component.length);
         const std::string name =
-            fmt::format("with the bit at {:.9g} m, {}", bit_depth, describe(k, component));
+            fmt::format("with the bit at {}, {}", length_text(bit_depth), describe(k, component));
         check_diameter(well, top, bottom, name, widest_of(component), interference, where);
         bottom = top;
     }

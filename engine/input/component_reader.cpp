@@ -19,7 +19,10 @@
 #include "input/plausible.hpp"
 #include "input/table.hpp"
 #include "input/text_file.hpp"
+#include "input/witsml.hpp"
+#include "input/witsml_tubular.hpp"
 #include "input/wording.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -47,7 +50,16 @@ class ComponentSource {
     [[nodiscard]] virtual Eigen::Vector3d curvature() const = 0;
     [[nodiscard]] virtual SourceLocation where(std::string_view key) const = 0;
     [[nodiscard]] virtual std::string path_of(std::string_view key) const = 0;
+    /// With its unit; empty where it is left out.
+    [[nodiscard]] virtual std::string written(std::string_view key,
+                                              const Dimension& dimension) const = 0;
 
+    [[nodiscard]] WrittenValue written_value(std::string_view key,
+                                             const Dimension& dimension) const {
+        std::string text = written(key, dimension);
+        if (text.empty()) return {};
+        return {path_of(key), std::move(text), where(key)};
+    }
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
         throw InputError(where(key), fmt::format("{} {}", path_of(key), problem));
     }
@@ -117,6 +129,11 @@ class TableSource : public ComponentSource {
     [[nodiscard]] std::string path_of(std::string_view key) const override {
         return table_.path_of(key);
     }
+    [[nodiscard]] std::string written(std::string_view key,
+                                      const Dimension& dimension) const override {
+        const std::optional<Value> value = table_.find(key);
+        return value ? value->written(dimension) : "";
+    }
 
   private:
     Table table_;
@@ -170,6 +187,7 @@ class RowSource : public ComponentSource {
         if (!column) return std::nullopt;
         const double value =
             table_.number(row_, *column) * table_.column_factor(*column, dimension, 1);
+        WrittenLengths::note(value, dimension, written(key, dimension));
         return checked(key, value, range,
                        fmt::format("{} {}", range.describe(), si_unit(dimension)));
     }
@@ -196,6 +214,14 @@ class RowSource : public ComponentSource {
     }
     [[nodiscard]] std::string path_of(std::string_view key) const override {
         return std::string(key);
+    }
+    [[nodiscard]] std::string written(std::string_view key,
+                                      const Dimension& dimension) const override {
+        const std::optional<std::size_t> column = filled_column(key);
+        if (!column) return "";
+        const std::string& unit = table_.columns()[*column].unit;
+        return fmt::format("{} {}", table_.text(row_, *column),
+                           unit.empty() ? si_unit(dimension) : unit);
     }
 
   private:
@@ -284,8 +310,9 @@ void read_diameters(const ComponentSource& source, Component& component) {
         "inner_diameter");
     if (component.inner_diameter > 0 && component.inner_diameter >= component.outer_diameter) {
         source.fail("inner_diameter",
-                    fmt::format("is {:.9g} m; expected less than the outer diameter of {:.9g} m",
-                                component.inner_diameter, component.outer_diameter));
+                    fmt::format("is {}; expected less than the outer diameter of {}",
+                                length_text(component.inner_diameter),
+                                length_text(component.outer_diameter)));
     }
 }
 
@@ -317,13 +344,15 @@ std::optional<ToolJoints> read_joints(const ComponentSource& source, const Compo
         0, source.quantity("tool_joint_length", dimension::length, plausible::length_or_none),
         "tool_joint_length");
     if (joints.inner_diameter >= joints.outer_diameter)
-        source.fail("tool_joint_outer_diameter",
-                    fmt::format("is {:.9g} m; expected more than the inner diameter of {:.9g} m",
-                                joints.outer_diameter, joints.inner_diameter));
+        source.fail(
+            "tool_joint_outer_diameter",
+            fmt::format("is {}; expected more than the inner diameter of {}",
+                        length_text(joints.outer_diameter), length_text(joints.inner_diameter)));
     if (joints.length >= 0.5 * std::min(joints.spacing, component.length))
         source.fail("tool_joint_length",
-                    fmt::format("is {:.9g} m; expected less than half of a joint of {:.9g} m",
-                                joints.length, std::min(joints.spacing, component.length)));
+                    fmt::format("is {}; expected less than half of a joint of {}",
+                                length_text(joints.length),
+                                length_text(std::min(joints.spacing, component.length))));
     return joints;
 }
 
@@ -333,9 +362,8 @@ double read_place(const ComponentSource& source, const Component& component, std
     const double place =
         source.quantity(key, dimension::length, plausible::length_or_none).value_or(standard);
     if (place > component.length)
-        source.fail(key, fmt::format("is {:.9g} m; expected at most {:.9g} m, the length of the "
-                                     "component",
-                                     place, component.length));
+        source.fail(key, fmt::format("is {}; expected at most {}, the length of the component",
+                                     length_text(place), length_text(component.length)));
     return place;
 }
 
@@ -352,9 +380,10 @@ std::optional<ContactPoint> read_contact_point(const ComponentSource& source,
     ContactPoint point;
     point.diameter = *diameter;
     if (point.diameter < component.outer_diameter)
-        source.fail("contact_diameter",
-                    fmt::format("is {:.9g} m; expected at least the outer diameter of {:.9g} m",
-                                point.diameter, component.outer_diameter));
+        source.fail(
+            "contact_diameter",
+            fmt::format("is {}; expected at least the outer diameter of {}",
+                        length_text(point.diameter), length_text(component.outer_diameter)));
     point.position = read_place(source, component, "contact_position", component.length / 2);
     point.length = source.quantity("contact_length", dimension::length, plausible::length)
                        .value_or(point.diameter);
@@ -446,6 +475,15 @@ PlacedComponent read_component(const ComponentSource& source) {
     return {component, source.where("outer_diameter")};
 }
 
+/// The component, and how what warnings speak of is written.
+PlacedComponent read_as_written(const ComponentSource& source) {
+    PlacedComponent placed = read_component(source);
+    placed.mass = source.written_value("linear_density", dimension::linear_density);
+    if (placed.mass.path.empty()) placed.mass = source.written_value("density", dimension::density);
+    placed.modulus = source.written_value("youngs_modulus", dimension::pressure);
+    return placed;
+}
+
 }  // namespace
 
 std::vector<PlacedComponent> read_component_list(const Value& list) {
@@ -453,7 +491,7 @@ std::vector<PlacedComponent> read_component_list(const Value& list) {
     const std::vector<Value> values = list.elements("a list of tables [[string.component]]");
     if (values.size() > most_components) list.fail(too_many(values.size()));
     for (const Value& value : values) {
-        result.push_back(read_component(TableSource(value)));
+        result.push_back(read_as_written(TableSource(value)));
     }
     if (result.empty()) list.fail("is empty; expected at least one component");
     return result;
@@ -461,13 +499,14 @@ std::vector<PlacedComponent> read_component_list(const Value& list) {
 
 std::vector<PlacedComponent> read_component_file(const std::filesystem::path& path,
                                                  const SourceLocation& asked_at) {
+    if (is_witsml(path)) return read_tubular(path, asked_at);
     const DelimitedTable table(read_text_file(path, asked_at), path.string());
     refuse_unknown_columns(table);
     if (table.rows() > most_components)
         throw InputError({path.string(), 1, 1}, "the table " + too_many(table.rows()));
     std::vector<PlacedComponent> result;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        result.push_back(read_component(RowSource(table, row)));
+        result.push_back(read_as_written(RowSource(table, row)));
     }
     if (result.empty()) {
         throw InputError({path.string(), 1, 1},

@@ -7,6 +7,7 @@
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
 #include "input/value.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -14,13 +15,16 @@ namespace drillstrand {
 struct PlacedComponent {
     Component component;
     SourceLocation where;
+    WrittenValue mass = {};     ///< its linear_density or density
+    WrittenValue modulus = {};  ///< its youngs_modulus
 };
 
 /// The list [[string.component]].
 std::vector<PlacedComponent> read_component_list(const Value& list);
 
-/// A CSV file of components. Throws InputError at the field where the table is wrong, at
-/// `asked_at` (the key that names the file) where it cannot be read.
+/// A CSV file of components, or a tubular in WITSML where its name ends with .xml. Throws
+/// InputError at the field where the table is wrong, at `asked_at` (the key that names the file)
+/// where it cannot be read.
 std::vector<PlacedComponent> read_component_file(const std::filesystem::path& path,
                                                  const SourceLocation& asked_at);
 

@@ -33,6 +33,7 @@ struct Prefix {
 // Definitions, all exact: inch, pound and US gallon of 1959 / 231 cubic inches, standard gravity.
 constexpr double inch = 0.0254;
 constexpr double foot = 0.3048;
+constexpr double survey_foot = 1200.0 / 3937;  // of the United States, until 2022
 constexpr double pound = 0.45359237;
 constexpr double standard_gravity = 9.80665;
 constexpr double pound_force = pound * standard_gravity;
@@ -48,6 +49,7 @@ constexpr std::array units{
     Unit{"inch", inch, dimension::length},
     Unit{"ft", foot, dimension::length},
     Unit{"kft", 1000 * foot, dimension::length},
+    Unit{"ftUS", survey_foot, dimension::length},
     Unit{"N", 1, dimension::force, true},
     Unit{"kdaN", 1e4, dimension::force},
     Unit{"lbf", pound_force, dimension::force},

@@ -11,6 +11,7 @@
 #include "input/key_notes.hpp"
 #include "input/plausible.hpp"
 #include "input/wording.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -64,6 +65,13 @@ void Value::note(std::string_view type, const std::string& range) const {
     KeyNotes::type(path_, type, range);
 }
 
+std::string Value::written(const Dimension& dimension) const {
+    if (const auto* text = node_->as_string()) return text->get();
+    const bool has_unit = !(dimension == dimension::none);
+    return has_unit ? fmt::format("{} {}", as_written(*node_), si_unit(dimension))
+                    : as_written(*node_);
+}
+
 double Value::quantity(const Dimension& dimension, const Range& range) const {
     note(si_unit(dimension), range.describe());
     return read_quantity(dimension, range);
@@ -82,6 +90,7 @@ double Value::read_quantity(const Dimension& dimension, const Range& range) cons
     }
     if (!range.contains(value))
         fail_expected(fmt::format("{} {}", range.describe(), si_unit(dimension)));
+    WrittenLengths::note(value, dimension, written(dimension));
     return value;
 }
 
@@ -111,6 +120,7 @@ template <class Element, class Read>
 Schedule<Element> Value::read_points(std::string_view expected, const Read& read) const {
     std::vector<double> times;
     std::vector<Element> values;
+    std::string last_time;
     for (const Value& point : elements(expected)) {
         const std::vector<Value> pair = point.elements(expected);
         if (pair.size() != 2) {
@@ -118,9 +128,10 @@ Schedule<Element> Value::read_points(std::string_view expected, const Read& read
         }
         const double time = pair[0].read_quantity(dimension::time, plausible::instant);
         if (!times.empty() && time <= times.back()) {
-            pair[0].fail(fmt::format("is time {} s after {} s; expected ascending times", time,
-                                     times.back()));
+            pair[0].fail(fmt::format("is time {} after {}; expected ascending times",
+                                     pair[0].written(dimension::time), last_time));
         }
+        last_time = pair[0].written(dimension::time);
         times.push_back(time);
         values.push_back(read(pair[1]));
     }

@@ -35,6 +35,8 @@ class Value {
     /// Throws InputError "PATH PROBLEM" here.
     [[noreturn]] void fail(std::string_view problem) const;
 
+    /// A quantity as it is written, with its unit: "8.45 in", "9.8 kg/m3" for the number 9.8.
+    [[nodiscard]] std::string written(const Dimension& dimension) const;
     /// A number in SI or a string with a unit, in SI.
     [[nodiscard]] double quantity(const Dimension& dimension, const Range& range = any_value) const;
     /// A number without a unit.

@@ -62,6 +62,13 @@ std::string on_one_line(std::string_view text) {
     return line;
 }
 
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        c = lower(c);
+    return result;
+}
+
 std::string listed(std::span<const std::string_view> names) {
     return fmt::format("{}", fmt::join(names, ", "));
 }

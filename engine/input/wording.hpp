@@ -13,6 +13,9 @@ std::string in_quotes(std::string_view text);
 /// The text on one line: control characters become spaces.
 std::string on_one_line(std::string_view text);
 
+/// The text with its letters A to Z in lower case.
+std::string lower_case(std::string_view text);
+
 /// "a, b, c".
 std::string listed(std::span<const std::string_view> names);
 

@@ -265,6 +265,7 @@ struct Case {
     std::filesystem::path path;                ///< the case file
     std::vector<std::filesystem::path> files;  ///< everything that was read, the case file first
     std::string text;                          ///< the TOML as read, overrides applied
+    std::vector<std::string> warnings;         ///< of numbers that no engineer means, with places
 };
 
 /// Reads and validates a case file. `overrides` are (key.path, value) pairs as in

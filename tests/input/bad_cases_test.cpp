@@ -55,7 +55,7 @@ TEST(BadCases, MissingKeysAreAskedForAtTheirTable) {
         {"[mesh]\nsegments = 50\n", "",
          R"(case.toml:1:1: missing key "mesh"; expected a table with segments or element_length)"},
         {"survey = \"survey.csv\"\n", "",
-         R"(case.toml:3:1: missing key "well.survey"; expected the name of a CSV file)"},
+         R"(case.toml:3:1: missing key "well.survey"; expected the name of a CSV file, or of WITSML in .xml)"},
         {"diameter = 0.3111\n", "",
          R"(case.toml:3:1: missing key "well.diameter"; expected a length such as "12.25 in", or [[well.section]])"},
         {"density = 1917\n", "",
@@ -181,8 +181,8 @@ TEST(BadCases, ValuesOutOfRangeSayTheRange) {
         {R"(name = "pipe")", "poisson_ratio = 0.6",
          "case.toml:13:17: string.component.0.poisson_ratio is 0.6; expected -0.99 to 0.5"},
         {R"(inner_diameter = "3 in")", R"(inner_diameter = "8 in")",
-         "case.toml:23:18: string.component.1.inner_diameter is 0.2032 m; expected less than the "
-         "outer diameter of 0.2032 m"},
+         "case.toml:23:18: string.component.1.inner_diameter is 8 in; expected less than the "
+         "outer diameter of 8 in"},
         {"duration = 20\n", "duration = 20\ncfl = 1.5\n",
          "case.toml:39:7: run.cfl is 1.5; expected 1e-6 to 1"},
         {"duration = 20\n", "duration = 20\ntolerance = 0\n",
@@ -292,10 +292,10 @@ TEST(BadCases, TheStringMustFitTheWell) {
          "case.toml:11:1: the string is 540 m long; expected at most 520 m, the length of the "
          "surveyed well"},
         {"diameter = 0.3111", "diameter = 0.2",
-         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 0.2032 m; expected less than 0.2 m, the diameter of the well from 400 m to 500 m)"},
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected less than 0.2 m, the diameter of the well from 400 m to 500 m)"},
         {"diameter = 0.3111",
          R"(section = [{to = 450, diameter = 0.3}, {to = 520, diameter = "7 in"}])",
-         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 0.2032 m; expected less than 0.1778 m, the diameter of the well from 450 m to 500 m)"},
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected less than 7 in, the diameter of the well from 450 m to 500 m)"},
         {"diameter = 0.3111", "section = [{to = 450, diameter = 0.3}, {to = 450, diameter = 0.2}]",
          "case.toml:5:46: well.section.1.to is 450 m; expected more than 450 m, where the section "
          "starts"},

@@ -128,7 +128,8 @@ checkpoint_interval = 1
 side_force_window = 9
 )",
                                       R"([well]
-survey = "survey.csv"
+survey = "deep.csv"
+tie_in = "vertical"
 diameter = 0.3
 [string]
 components = "string.csv"
@@ -162,6 +163,7 @@ segments = 5
 std::map<std::string, KeyNote> notes_of_readers() {
     TrialFolder folder;
     folder.write("survey.csv", trial_survey);
+    folder.write("deep.csv", "md,inclination,azimuth\n20,0,0\n520,3,60\n");
     folder.write("string.csv",
                  "length,outer_diameter,linear_density,youngs_modulus\n9,0.1,29,2e11\n");
     std::map<std::string, KeyNote> all;

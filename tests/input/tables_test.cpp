@@ -1,6 +1,7 @@
 /// Survey and component tables in the forms that people keep them in.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "input/trial_case.hpp"
@@ -47,11 +48,6 @@ TEST(Tables, SpacesCommentsQuotesExtraColumnsAndOrderDoNotMatter) {
                 {{0, 0, 0}, {609.6, 30 * degree, 270 * degree}});
 }
 
-TEST(Tables, SurveysMayStartBelowTheSurface) {
-    expect_same(read_survey_text("md,inclination,azimuth\n100,180,0\n700,180,5\n"),
-                {{100, 180 * degree, 0}, {700, 180 * degree, 5 * degree}});
-}
-
 TEST(Tables, ComponentTableGivesTheSameStringAsTheList) {
     TrialFolder folder;
     folder.write("survey.csv", trial_survey);
@@ -74,6 +70,23 @@ TEST(Tables, ComponentTableGivesTheSameStringAsTheList) {
         EXPECT_DOUBLE_EQ(table[k].linear_density, list[k].linear_density);
         EXPECT_EQ(table[k].youngs_modulus, list[k].youngs_modulus);
         EXPECT_EQ(table[k].poisson_ratio, list[k].poisson_ratio);
+    }
+}
+
+TEST(Tables, ComponentTablesMayHaveSemicolonsOrTabs) {
+    const std::string table =
+        "name,length,outer_diameter[in],inner_diameter[in],linear_density[lb/ft],"
+        "youngs_modulus[GPa]\npipe,400,5.5,4.276,19.5,206\n";
+    TrialFolder folder;
+    folder.write("survey.csv", trial_survey);
+    folder.write("case.toml", with_component_file(trial_case, "bha.csv"));
+    for (const char separator : {';', '\t'}) {
+        std::string text = table;
+        std::replace(text.begin(), text.end(), ',', separator);
+        folder.write("bha.csv", text);
+        const Component component = folder.read("case.toml").string.components.at(0);
+        EXPECT_EQ(component.name, "pipe");
+        EXPECT_DOUBLE_EQ(component.outer_diameter, 5.5 * 0.0254);
     }
 }
 

@@ -97,6 +97,26 @@ TEST_F(Program, CheckPrintsTheSceneAndWritesNothing) {
     EXPECT_THAT(files(), ElementsAre("pipe.toml"));
 }
 
+TEST_F(Program, EveryCommandWarnsOfNumbersThatNobodyMeans) {
+    write("heavy.toml", std::string(pipe_case) + "[fluid]\ndensity = 9.8\n");
+    const std::string warning =
+        "heavy.toml:21:11: fluid.density is 9.8 kg/m3, no drilling fluid; did you mean \"9.8 "
+        "ppg\"?";
+    for (const char* command : {"check", "buckling", "equilibrium", "run"}) {
+        SCOPED_TRACE(command);
+        const Ending ending = run({command, "heavy.toml"});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        EXPECT_THAT(ending.err, HasSubstr("drillstrand: warning: " + warning + "\n"));
+    }
+    EXPECT_THAT(read_result(desk() / "heavy.h5").footer.warnings, testing::Contains(warning));
+    const Ending study = run({"torque-drag", DRILLSTRAND_SOURCE_DIR "/cases/torque_drag.toml",
+                              "--set", "torque_drag.depths=[500]", "--set", "fluid.density=9.8"});
+    EXPECT_EQ(study.code, 0) << study.err;
+    EXPECT_THAT(study.err, StartsWith("drillstrand: warning: --set fluid.density: "));
+    EXPECT_EQ(run({"equilibrium", "heavy.toml", "-o", "rest.h5"}).code, 0);
+    EXPECT_THAT(read_result(desk() / "rest.h5").footer.warnings, testing::Contains(warning));
+}
+
 TEST_F(Program, CheckPrintsEveryDamping) {
     EXPECT_THAT(run({"check", "pipe.toml"}).out, Not(HasSubstr("Kelvin-Voigt")));
     const Ending ending = run({"check", "pipe.toml", "--set", "damping.kelvin_voigt=1.25e-3",

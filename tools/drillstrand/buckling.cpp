@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "case_of.hpp"
 #include "commands.hpp"
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/case.hpp"
@@ -150,7 +151,7 @@ void write_result(const Case& input, const Scene& scene, const BucklingOptions& 
 
 int buckling(const BucklingOptions& options) {
     const std::optional<double> load = load_of(options.at_load);
-    const Case input = read_case(options.case_path, options.overrides);
+    const Case input = case_of(options.case_path, options.overrides);
     require_output("-o", options.output, {options.overwrite, inputs_of(input)});
     const Scene scene = build_static_scene(input);
     StraightRod rod;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "case_of.hpp"
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
@@ -454,7 +455,7 @@ void advise_equilibrium(const Case& input, const Scene& scene) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-    const Case input = read_case(options.case_path, options.overrides);
+    const Case input = case_of(options.case_path, options.overrides);
     const Scene scene = starting_scene(without_long_search(input));
     fmt::print("{}: {}\n", options.case_path.string(), input.title);
     print_string(input, scene);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "case_of.hpp"
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
@@ -127,6 +128,7 @@ void write(const EquilibriumCommand& command, const Case& input, const Scene& sc
     writer.append(found.profile);
     ResultFooter footer;
     footer.status = "complete";
+    footer.warnings = input.warnings;
     footer.wall_seconds = seconds;
     footer.statistics.steps = found.iterations;
     writer.close(footer);
@@ -135,7 +137,7 @@ void write(const EquilibriumCommand& command, const Case& input, const Scene& sc
 }  // namespace
 
 int equilibrium(const EquilibriumCommand& command) {
-    const Case input = read_case(command.case_path, command.overrides);
+    const Case input = case_of(command.case_path, command.overrides);
     require_output("-o", command.output, {command.overwrite, inputs_of(input)});
     if (input.head.motion == HeadMotion::free)
         throw InputError({input.path.string()},

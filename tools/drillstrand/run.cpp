@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "case_of.hpp"
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/checkpoint.hpp"
@@ -64,6 +65,7 @@ class Recorder : public Observer {
           checkpoint_(std::move(origin)),
           checkpoint_path_(std::move(checkpoint_path)),
           checkpoint_interval_(input.output.checkpoint_interval),
+          case_warnings_(input.warnings),
           wall_before_(checkpoint_.wall_seconds),
           progress_(checkpoint_.time, input.run.duration, quiet) {
         if (!checkpoint_.summary.empty()) summary_.restore(checkpoint_.summary);
@@ -136,7 +138,9 @@ class Recorder : public Observer {
         footer.energy_residual = summary_.energy_residual();
         footer.largest_penetration = summary_.largest_penetration();
         footer.time_error_median = summary_.time_error_median();
-        footer.warnings = warnings();
+        footer.warnings = case_warnings_;
+        for (std::string& warning : warnings())
+            footer.warnings.push_back(std::move(warning));
         footer.findings = summary_.findings();
         footer.statistics = integrator_.statistics();
         footer.statistics.time_error = summary_.time_error_largest();
@@ -148,9 +152,10 @@ class Recorder : public Observer {
     RunSummary summary_;
     Checkpoint checkpoint_;  ///< the last one, and the counts since
     fs::path checkpoint_path_;
-    double checkpoint_interval_;  ///< wall s; 0: none
-    double last_checkpoint_ = 0;  ///< wall s of this process
-    double wall_before_;          ///< that the run took before this process (s)
+    double checkpoint_interval_;              ///< wall s; 0: none
+    double last_checkpoint_ = 0;              ///< wall s of this process
+    std::vector<std::string> case_warnings_;  ///< of the case itself, said when it was read
+    double wall_before_;                      ///< that the run took before this process (s)
     Progress progress_;
 };
 
@@ -230,7 +235,7 @@ void take_up(const Checkpoint& checkpoint, const fs::path& path, const ResultHea
 int run(const RunOptions& options) {
     const Isa isa = choose_isa(options.isa);
     const fs::path output = output_of(options);
-    Case input = read_case(options.case_path, options.overrides);
+    Case input = case_of(options.case_path, options.overrides);
     require_duration(input);
     const bool goes_on = !options.restart.empty();
     const OutputRules rules{options.overwrite || goes_on, inputs_of(input)};

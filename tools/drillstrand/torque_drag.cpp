@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "case_of.hpp"
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/torque_drag_file.hpp"
@@ -226,7 +227,7 @@ void write_files(const TorqueDragCommand& command, const Case& input, const Torq
 }  // namespace
 
 int torque_drag(const TorqueDragCommand& command) {
-    const Case input = read_case(command.case_path, command.overrides);
+    const Case input = case_of(command.case_path, command.overrides);
     require_outputs(command, {command.overwrite, inputs_of(input)});
     const TorqueDrag study = compute_torque_drag(input, input.run.threads);
     write_files(command, input, study);

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const fuzz::Folder folder;
     try {
         const auto path = folder.write("survey.csv", fuzz::text_of(data, size));
-        const auto stations = read_survey(path, {"case.toml", 1, 1});
+        const auto stations = read_survey(path, {"case.toml", 1, 1}).stations;
         for (std::size_t k = 1; k < stations.size(); ++k)
             if (!(stations[k].measured_depth > stations[k - 1].measured_depth)) std::abort();
     } catch (const InputError& error) {
