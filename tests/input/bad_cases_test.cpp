@@ -80,7 +80,7 @@ TEST(BadCases, ValuesOfTheWrongTypeSayWhatWasExpected) {
         {R"(title = "Trial")", "title = \"Trial\"\ncontact = 3",
          "case.toml:2:11: contact is 3; expected a table [contact]"},
         {"[mesh]\nsegments = 50\n", "mesh = 50\n",
-         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
+         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, element_length)"},
         {"[head]\n", "[output]\ninterval = {}\n[head]\n",
          "case.toml:31:12: output.interval is a table; expected a number in SI or a time such as "
          "s, min, h"},
@@ -292,15 +292,90 @@ TEST(BadCases, TheStringMustFitTheWell) {
          "case.toml:11:1: the string is 540 m long; expected at most 520 m, the length of the "
          "surveyed well"},
         {"diameter = 0.3111", "diameter = 0.2",
-         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected less than 0.2 m, the diameter of the well from 400 m to 500 m)"},
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected at most 0.2 m, the diameter of the well from 400 m to 500 m)"},
         {"diameter = 0.3111",
          R"(section = [{to = 450, diameter = 0.3}, {to = 520, diameter = "7 in"}])",
-         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected less than 7 in, the diameter of the well from 450 m to 500 m)"},
+         R"(case.toml:22:18: component 2 ("collar") has an outer diameter of 8 in; expected at most 7 in, the diameter of the well from 450 m to 500 m)"},
         {"diameter = 0.3111", "section = [{to = 450, diameter = 0.3}, {to = 450, diameter = 0.2}]",
          "case.toml:5:46: well.section.1.to is 450 m; expected more than 450 m, where the section "
          "starts"},
         {"diameter = 0.3111", "section = []",
          "case.toml:5:11: well.section is empty; expected at least one section"},
+    });
+}
+
+/// The last key of the pipe of the trial case, for more keys behind it.
+const std::string pipe_end =
+    "youngs_modulus = \"206 GPa\"\n[[string.component]]\nname = \"collar\"";
+std::string pipe_with(const std::string& keys) {
+    return "youngs_modulus = \"206 GPa\"\n" + keys + "\n[[string.component]]\nname = \"collar\"";
+}
+
+TEST(BadCases, ToolJointsFitTheirPipe) {
+    expect_messages({
+        {pipe_end, pipe_with("tool_joint_length = 0.4"),
+         "case.toml:18:21: string.component.0.tool_joint_length has no effect; expected it with "
+         "string.component.0.joint_length"},
+        {pipe_end, pipe_with("joint_length = 9.5"),
+         R"(case.toml:11:1: missing key "string.component.0.tool_joint_outer_diameter"; expected a length such as "6.625 in")"},
+        {pipe_end, pipe_with("joint_length = 9.5\ntool_joint_outer_diameter = \"4 in\""),
+         "case.toml:19:29: string.component.0.tool_joint_outer_diameter is 4 in; expected more "
+         "than the inner diameter of 4.276 in"},
+        {pipe_end,
+         pipe_with("joint_length = 9.5\ntool_joint_outer_diameter = 0.17\n"
+                   "tool_joint_length = 5"),
+         "case.toml:20:21: string.component.0.tool_joint_length is 5 m; expected less than half of "
+         "a joint of 9.5 m"},
+    });
+}
+
+TEST(BadCases, ContactPointsAndBendsLieInTheirComponent) {
+    expect_messages({
+        {pipe_end, pipe_with("contact_length = 0.4"),
+         "case.toml:18:18: string.component.0.contact_length has no effect; expected it with "
+         "string.component.0.contact_diameter"},
+        {pipe_end, pipe_with("contact_diameter = \"4 in\""),
+         "case.toml:18:20: string.component.0.contact_diameter is 4 in; expected at least the "
+         "outer diameter of 5 in"},
+        {pipe_end, pipe_with("contact_diameter = 0.3\ncontact_position = 401"),
+         "case.toml:19:20: string.component.0.contact_position is 401 m; expected at most 400 m, "
+         "the length of the component"},
+        {pipe_end, pipe_with("contact_diameter = \"12.5 in\""),
+         R"(case.toml:14:18: component 1 ("pipe") has a contact diameter of 12.5 in; expected at most 0.3111 m, the diameter of the well from 0 m to 400 m)"},
+        {pipe_end, pipe_with("toolface = 0.4"),
+         "case.toml:18:12: string.component.0.toolface has no effect; expected it with "
+         "string.component.0.bend"},
+        {pipe_end, pipe_with("bend = \"90 deg\""),
+         "case.toml:18:8: string.component.0.bend is \"90 deg\"; expected -0.8 to 0.8 rad"},
+        {pipe_end, pipe_with("bend = 0.03\nbend_position = 500"),
+         "case.toml:19:17: string.component.0.bend_position is 500 m; expected at most 400 m, the "
+         "length of the component"},
+    });
+}
+
+TEST(BadCases, MeshesThatFollowTheStringHaveTheirOwnKeys) {
+    expect_messages({
+        {"segments = 50", "segments = 50\nelement_length = 7",
+         "case.toml:29:18: mesh.element_length excludes mesh.segments; expected one of the two"},
+        {"segments = 50", "segments = 50\nsegments_per_joint = 2",
+         "case.toml:29:22: mesh.segments_per_joint excludes mesh.segments; expected one of the "
+         "two"},
+        {"segments = 50", "element_length = 7\nsegments_per_joint = 0",
+         "case.toml:29:22: mesh.segments_per_joint is 0; expected 1 to 1000"},
+        {"segments = 50", "element_length = 1e-5",
+         "case.toml:28:18: mesh.element_length makes 50000000 segments; expected at most 10000000"},
+        {"segments = 50", "element_length = 7\nrefine = [{from = 5, to = 3, element_length = 1}]",
+         "case.toml:29:27: mesh.refine.0.to is 3 m; expected more than 5 m, where the stretch "
+         "starts"},
+        {"segments = 50",
+         "element_length = 7\nrefine = [{from = 500, to = 503, element_length = 1}]",
+         "case.toml:29:19: mesh.refine.0.from is 500 m; expected less than 500 m, the length of "
+         "the "
+         "string"},
+        {"segments = 50",
+         "element_length = 7\nrefine = [{from = 5, to = 9, measured_from = \"top\", element_length "
+         "= 1}]",
+         R"(case.toml:29:46: mesh.refine.0.measured_from is "top"; expected "head" or "bit")"},
     });
 }
 

@@ -119,7 +119,7 @@ TEST(BadTables, MistakesInAComponentTableAreLocated) {
         {"length,outer_diametre,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          R"(pipes.csv:1:8: unknown column "outer_diametre"; did you mean "outer_diameter"?)"},
         {"length,wall,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
-         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia)"},
+         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, element_length)"},
         {"length[kN],outer_diameter,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          "pipes.csv:1:1: column length: kN is a force; expected a length such as m, mm, in, "
          "ft"},
@@ -136,7 +136,7 @@ TEST(BadTables, MistakesInAComponentTableAreLocated) {
         {"name,length,outer_diameter,linear_density,youngs_modulus\npipe,400,0.1,29,2e11\nbig,"
          "100,"
          "0.32,29,2e11\n",
-         R"(pipes.csv:3:9: component 2 ("big") has an outer diameter of 0.32 m; expected less than 0.3111 m, the diameter of the well from 400 m to 500 m)"},
+         R"(pipes.csv:3:9: component 2 ("big") has an outer diameter of 0.32 m; expected at most 0.3111 m, the diameter of the well from 400 m to 500 m)"},
     };
     for (const BadTable& table : tables) {
         SCOPED_TRACE(table.text);

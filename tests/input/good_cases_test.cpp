@@ -156,8 +156,23 @@ axial_stiffness = "9 kN"
 shear_stiffness = 10
 inertia = 11
 polar_inertia = "12 kg m"
+material_density = "490 lb/ft3"
+joint_length = "30 ft"
+tool_joint_outer_diameter = "6.5 in"
+tool_joint_inner_diameter = "3.25 in"
+tool_joint_length = "18 in"
+contact_diameter = "12 in"
+contact_length = "1 ft"
+contact_position = "50 ft"
+contact_stiffness = "1 GPa"
+bend = "1.75 deg"
+bend_position = "25 ft"
+toolface = "90 deg"
+element_length = "2 ft"
 [mesh]
 element_length = "10 ft"
+segments_per_joint = 3
+refine = [{from = 0, to = "30 ft", measured_from = "bit", element_length = "1 ft"}]
 segment_inertia = false
 [head]
 position = [1, "2 m", 3]
@@ -228,7 +243,10 @@ side_force_window = "10 ft"
     EXPECT_DOUBLE_EQ(component.length, 30.48);
     EXPECT_DOUBLE_EQ(component.outer_diameter, 0.127);
     EXPECT_DOUBLE_EQ(component.inner_diameter, 0.1016);
-    EXPECT_DOUBLE_EQ(component.linear_density, 7850 * pi / 4 * (0.127 * 0.127 - 0.1016 * 0.1016));
+    const double pipe = 7850 * pi / 4 * (0.127 * 0.127 - 0.1016 * 0.1016);
+    const double joint = 7850 * pi / 4 * (0.1651 * 0.1651 - 0.08255 * 0.08255);
+    const double of_joints = 3 * 0.4572 / 30.48;
+    EXPECT_NEAR(component.linear_density, pipe + of_joints * (joint - pipe), 1e-9);
     EXPECT_EQ(component.youngs_modulus, 200e9);
     EXPECT_EQ(component.poisson_ratio, 0);
     EXPECT_NEAR(component.yield_strength, 827.4e6, 0.05e6);
@@ -240,7 +258,26 @@ side_force_window = "10 ft"
     EXPECT_EQ(component.shear_stiffness, 10);
     EXPECT_EQ(component.inertia, 11);
     EXPECT_EQ(component.polar_inertia, 12);
-    EXPECT_EQ(input.mesh.segments, 10);
+    EXPECT_NEAR(*component.material_density, 7849.0, 0.2);
+    EXPECT_DOUBLE_EQ(component.joints->spacing, 9.144);
+    EXPECT_DOUBLE_EQ(component.joints->outer_diameter, 0.1651);
+    EXPECT_DOUBLE_EQ(component.joints->inner_diameter, 0.08255);
+    EXPECT_DOUBLE_EQ(component.joints->length, 0.4572);
+    EXPECT_DOUBLE_EQ(component.contact->diameter, 0.3048);
+    EXPECT_DOUBLE_EQ(component.contact->length, 0.3048);
+    EXPECT_DOUBLE_EQ(component.contact->position, 15.24);
+    EXPECT_EQ(component.contact->stiffness, 1e9);
+    EXPECT_DOUBLE_EQ(component.bend->angle, 1.75 * pi / 180);
+    EXPECT_DOUBLE_EQ(component.bend->position, 7.62);
+    EXPECT_DOUBLE_EQ(component.bend->toolface, pi / 2);
+    EXPECT_DOUBLE_EQ(*component.element_length, 0.6096);
+    EXPECT_EQ(input.mesh.segments, 0);
+    EXPECT_DOUBLE_EQ(input.mesh.element_length, 3.048);
+    EXPECT_EQ(input.mesh.segments_per_joint, 3);
+    ASSERT_EQ(input.mesh.refine.size(), 1U);
+    EXPECT_DOUBLE_EQ(input.mesh.refine[0].to, 9.144);
+    EXPECT_TRUE(input.mesh.refine[0].from_the_bit);
+    EXPECT_DOUBLE_EQ(input.mesh.refine[0].element_length, 0.3048);
     EXPECT_EQ(input.mesh.segment_inertia, false);
 
     EXPECT_EQ(*input.head.position, Eigen::Vector3d(1, 2, 3));
@@ -320,9 +357,20 @@ TEST(GoodCases, WholeNumbersMayBeWrittenAsReals) {
     EXPECT_EQ(read_trial("segments = 50", "segments = 5e1").mesh.segments, 50);
 }
 
-TEST(GoodCases, ElementLengthGivesTheNearestNumberOfSegmentsAtLeastOne) {
-    EXPECT_EQ(read_trial("segments = 50", "element_length = 7").mesh.segments, 71);
-    EXPECT_EQ(read_trial("segments = 50", "element_length = 5000").mesh.segments, 1);
+TEST(GoodCases, WhereTheWallIsStatedContactPointsPressOnIt) {
+    EXPECT_EQ(read_trial("[run]", "[run]").contact.point_stiffness, 6e8);
+    EXPECT_EQ(
+        read_trial("[run]", "[contact]\nnormal_stiffness = 2e7\n[run]").contact.point_stiffness,
+        2e7);
+    EXPECT_EQ(read_trial("[run]", "[contact]\nnormal_stiffness = 2e7\npoint_stiffness = 3e9\n[run]")
+                  .contact.point_stiffness,
+              3e9);
+}
+
+TEST(GoodCases, APartMayBeAsWideAsItsHoleOrWiderByTheInterference) {
+    EXPECT_NO_THROW(read_trial("diameter = 0.3111", "diameter = \"8 in\""));
+    EXPECT_NO_THROW(read_trial("diameter = 0.3111\n",
+                               "diameter = \"7.9 in\"\n[contact]\ninterference = \"0.1 in\"\n"));
 }
 
 TEST(GoodCases, SectionPropertiesGivenOutrightReplacePipeAndMaterial) {
