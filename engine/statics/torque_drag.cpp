@@ -51,13 +51,13 @@ struct Answer {
     std::optional<std::string> failure;
 };
 
-void check_fit(const Case& input, const Component& pipe, const WellArc& arc, double depth) {
-    if (pipe.outer_diameter < 2 * arc.radius) return;
+void check_fit(const Case& input, const Component& pipe, double hole_radius, double depth) {
+    if (pipe.outer_diameter < 2 * hole_radius) return;
     throw InputError({input.path.string()},
                      fmt::format("a pipe of {:.9g} m comes to a measured depth of {:.9g} m, where "
                                  "the hole has {:.9g} m; give torque_drag.depths at which the "
                                  "string fits",
-                                 pipe.outer_diameter, depth, 2 * arc.radius));
+                                 pipe.outer_diameter, depth, 2 * hole_radius));
 }
 
 Site site_at(const Case& input, const Scene& scene, double s) {
@@ -66,7 +66,8 @@ Site site_at(const Case& input, const Scene& scene, double s) {
     const Well& well = *scene.well;
     const double depth = well.measured_depth_start() + s;
     const WellArc& arc = well.arcs()[well.arc_at(depth)];
-    check_fit(input, pipe, arc, depth);
+    const double hole_radius = well.at(depth).radius;
+    check_fit(input, pipe, hole_radius, depth);
     const ArcSection axis = arc_section(arc, depth);
     const double second_moment =
         std::numbers::pi / 64 *
@@ -76,7 +77,7 @@ Site site_at(const Case& input, const Scene& scene, double s) {
     site.section_modulus = second_moment / section.outer_radius;
     site.limits = buckling_limits({.bending_stiffness = section.bending_stiffness,
                                    .weight = buoyed_weight(section, input.fluid, input.gravity),
-                                   .clearance = arc.radius - section.outer_radius,
+                                   .clearance = hole_radius - section.outer_radius,
                                    .direction = axis.direction,
                                    .curvature = axis.curvature,
                                    .down = scene.down});

@@ -1,6 +1,7 @@
 #include "statics/wall_load.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "forces/contact.hpp"
@@ -14,15 +15,28 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-double depth_of(const WallSite& site, const WellSection& section) {
-    return penetration(section.eccentricity, site.arc->radius, site.pipe_radius);
+/// The wall as a node meets it: an energy k depth^2/2 of its place.
+struct Wall {
+    double depth;       ///< m; negative in the open hole
+    double stiffness;   ///< k, times the cell (N/m)
+    double stiffening;  ///< growth of k along l (N/m2)
+    Vector3d normal;    ///< against the growth of the depth: r, leaning where the hole widens
+};
+
+Wall wall_at(const WallSite& site, const WellSection& section) {
+    const AlongArc hole = along_arc(section.frame, site.arc->radius, site.arc->widening);
+    const AlongArc firmness = along_arc(section.frame, site.arc->firmness, site.arc->firming);
+    const double own = site.stiffness * firmness.value;
+    return {penetration(section.eccentricity, hole.value, site.pipe_radius),
+            std::min(own, site.stiffest), own < site.stiffest ? site.stiffness * firmness.slope : 0,
+            section.r + hole.slope * section.l};
 }
 
 }  // namespace
 
-FrictionShares friction_shares(const ContactCase& contact, const SteadyMotion& motion,
+FrictionShares friction_shares(const FrictionCoefficients& dynamic, const SteadyMotion& motion,
                                double radius) {
-    const FrictionCoefficients& mu = contact.dynamic_friction;
+    const FrictionCoefficients& mu = dynamic;
     const double along = mu.axial > 0 ? motion.axial_speed : 0.0;
     const double around = mu.azimuthal > 0 ? motion.rotation_rate * radius : 0.0;
     const double demand = std::hypot(mu.axial > 0 ? along / mu.axial : 0.0,
@@ -34,12 +48,14 @@ FrictionShares friction_shares(const ContactCase& contact, const SteadyMotion& m
 WallLoad wall_load(const WallSite& site) {
     WallLoad result;
     const WellSection s = well_section(site.position, *site.arc);
-    const double depth = depth_of(site, s);
+    const Wall wall = wall_at(site, s);
+    const double depth = wall.depth;
     if (depth <= 0) return result;
-    const double normal = site.stiffness * depth;
+    const double normal = wall.stiffness * depth;
+    const Vector3d push = normal * wall.normal - 0.5 * wall.stiffening * depth * depth * s.l;
     result.friction = -normal * (site.friction.axial * s.l + site.friction.azimuthal * s.t);
     result.couple = -normal * site.pipe_radius * site.friction.azimuthal;
-    result.load << normal * s.r + result.friction, result.couple * site.director;
+    result.load << push + result.friction, result.couple * site.director;
     result.energy = 0.5 * normal * depth;
     return result;
 }
@@ -47,25 +63,31 @@ WallLoad wall_load(const WallSite& site) {
 Matrix6 wall_tangent(const WallSite& site) {
     Matrix6 d = Matrix6::Zero();
     const WellSection s = well_section(site.position, *site.arc);
-    const double depth = depth_of(site, s);
+    const Wall wall = wall_at(site, s);
+    const double depth = wall.depth;
     if (depth <= 0) return d;
-    const double normal = site.stiffness * depth;
+    const double normal = wall.stiffness * depth;
     const FrictionShares& rub = site.friction;
 
-    // the penetration grows by -r . dx; the section turns by `turning` l . dx about its own t axis
+    // the penetration grows by -normal . dx, the stiffness by stiffening l . dx; the section turns
+    // by `turning` l . dx about its own t axis
     const Matrix3d dr = -s.turning * s.r.dot(s.inward) * s.l * s.l.transpose() -
                         s.t * s.t.transpose() / s.eccentricity;
     const Matrix3d dl = s.l_by_position();
     Matrix3d dt;
     for (Eigen::Index i = 0; i < 3; ++i)
         dt.col(i) = dr.col(i).cross(s.l) + s.r.cross(dl.col(i));
-    const Vector3d direction = s.r - rub.axial * s.l - rub.azimuthal * s.t;
-    d.topLeftCorner<3, 3>() = -site.stiffness * direction * s.r.transpose() +
-                              normal * (dr - rub.axial * dl - rub.azimuthal * dt);
+    // (the leaning of the normal and the stiffening are as good as constant)
+    const Vector3d by_slope = wall.normal - s.r;
+    const Vector3d direction = wall.normal - rub.axial * s.l - rub.azimuthal * s.t;
+    const Vector3d growth = depth * wall.stiffening * s.l - wall.stiffness * wall.normal;
+    d.topLeftCorner<3, 3>() =
+        direction * growth.transpose() + depth * wall.stiffening * s.l * wall.normal.transpose() +
+        normal * (dr + (by_slope.dot(s.l) - rub.axial) * dl - rub.azimuthal * dt);
 
     const double arm = site.pipe_radius * rub.azimuthal;
     const Vector3d& axis = site.director;
-    d.bottomLeftCorner<3, 3>() = site.stiffness * arm * axis * s.r.transpose();
+    d.bottomLeftCorner<3, 3>() = -arm * axis * growth.transpose();
     d.bottomRightCorner<3, 3>() = normal * arm * skew(axis);
     return d;
 }
