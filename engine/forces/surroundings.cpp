@@ -230,10 +230,11 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     result.normal_force = wall.row(WallRow::normal)[node];
     const Tangential rub = friction_force(spring, result.normal_force, p);
     result.axial_friction = rub.axial;
+    result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
+                   rub.azimuthal * vector(frame.t);
     const double by_slopes =
         result.normal_force * hole.slope - 0.5 * firmness.slope * row(stiffness)[node] * dr * dr;
-    result.force = result.normal_force * vector(frame.r) +
-                   (rub.axial + by_slopes) * vector(frame.l) + rub.azimuthal * vector(frame.t);
+    if (by_slopes != 0) result.force += by_slopes * vector(frame.l);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +
                             spring.elongation.azimuthal * spring.elongation.azimuthal;
     result.spring_energy = 0.5 * its_stiffness * dr * dr + 0.5 * p.stiffness * stretch2;

@@ -19,17 +19,29 @@ using Eigen::Vector3d;
 struct Wall {
     double depth;       ///< m; negative in the open hole
     double stiffness;   ///< k, times the cell (N/m)
+    double lean;        ///< growth of the hole's radius along l
     double stiffening;  ///< growth of k along l (N/m2)
-    Vector3d normal;    ///< against the growth of the depth: r, leaning where the hole widens
+
+    /// Against the growth of the depth.
+    [[nodiscard]] Vector3d normal(const WellSection& section) const {
+        return section.r + lean * section.l;
+    }
 };
+
+/// How the growth along l of what grows by `growth` along the arc changes with the place.
+Vector3d change_of_growth(const WellSection& section, const WellArc& arc, double growth) {
+    const WellFrame& frame = section.frame;
+    return growth * section.turning * frame.inverse * frame.inverse *
+           (frame.toward * section.inward - frame.along * arc.curvature * section.l);
+}
 
 Wall wall_at(const WallSite& site, const WellSection& section) {
     const AlongArc hole = along_arc(section.frame, site.arc->radius, site.arc->widening);
     const AlongArc firmness = along_arc(section.frame, site.arc->firmness, site.arc->firming);
     const double own = site.stiffness * firmness.value;
     return {penetration(section.eccentricity, hole.value, site.pipe_radius),
-            std::min(own, site.stiffest), own < site.stiffest ? site.stiffness * firmness.slope : 0,
-            section.r + hole.slope * section.l};
+            std::min(own, site.stiffest), hole.slope,
+            own < site.stiffest ? site.stiffness * firmness.slope : 0.0};
 }
 
 }  // namespace
@@ -52,7 +64,7 @@ WallLoad wall_load(const WallSite& site) {
     const double depth = wall.depth;
     if (depth <= 0) return result;
     const double normal = wall.stiffness * depth;
-    const Vector3d push = normal * wall.normal - 0.5 * wall.stiffening * depth * depth * s.l;
+    const Vector3d push = normal * wall.normal(s) - 0.5 * wall.stiffening * depth * depth * s.l;
     result.friction = -normal * (site.friction.axial * s.l + site.friction.azimuthal * s.t);
     result.couple = -normal * site.pipe_radius * site.friction.azimuthal;
     result.load << push + result.friction, result.couple * site.director;
@@ -77,18 +89,25 @@ Matrix6 wall_tangent(const WallSite& site) {
     Matrix3d dt;
     for (Eigen::Index i = 0; i < 3; ++i)
         dt.col(i) = dr.col(i).cross(s.l) + s.r.cross(dl.col(i));
-    // (the leaning of the normal and the stiffening are as good as constant)
-    const Vector3d by_slope = wall.normal - s.r;
-    const Vector3d direction = wall.normal - rub.axial * s.l - rub.azimuthal * s.t;
-    const Vector3d growth = depth * wall.stiffening * s.l - wall.stiffness * wall.normal;
-    d.topLeftCorner<3, 3>() =
-        direction * growth.transpose() + depth * wall.stiffening * s.l * wall.normal.transpose() +
-        normal * (dr + (by_slope.dot(s.l) - rub.axial) * dl - rub.azimuthal * dt);
+    const Vector3d inward = wall.normal(s);
+    const Vector3d direction = inward - rub.axial * s.l - rub.azimuthal * s.t;
+    d.topLeftCorner<3, 3>() = -wall.stiffness * direction * inward.transpose() +
+                              normal * (dr + (wall.lean - rub.axial) * dl - rub.azimuthal * dt);
 
     const double arm = site.pipe_radius * rub.azimuthal;
     const Vector3d& axis = site.director;
-    d.bottomLeftCorner<3, 3>() = -arm * axis * growth.transpose();
+    d.bottomLeftCorner<3, 3>() = wall.stiffness * arm * axis * inward.transpose();
     d.bottomRightCorner<3, 3>() = normal * arm * skew(axis);
+    if (site.arc->widening == 0 && wall.stiffening == 0) return d;
+
+    const Vector3d stiffening = depth * wall.stiffening * s.l;
+    const Vector3d leaning = change_of_growth(s, *site.arc, normal * site.arc->widening);
+    const double firming = wall.stiffening == 0 ? 0.0 : site.stiffness * site.arc->firming;
+    const Vector3d softening = change_of_growth(s, *site.arc, -0.5 * depth * depth * firming);
+    d.topLeftCorner<3, 3>() +=
+        direction * stiffening.transpose() + stiffening * inward.transpose() -
+        0.5 * depth * wall.stiffening * depth * dl + s.l * (leaning + softening).transpose();
+    d.bottomLeftCorner<3, 3>() -= arm * axis * stiffening.transpose();
     return d;
 }
 
