@@ -51,6 +51,21 @@ struct FrictionParameters {
 
     /// 1 where forces never leave Coulomb's cone, 0 for the paper's springs; no branch.
     [[nodiscard]] double cone() const { return static_cast<double>(law == FrictionLaw::coulomb); }
+
+    /// The same with other coefficients, in a kernel.
+    [[nodiscard]] DRILLSTRAND_INLINE FrictionParameters with(const Tangential& its_fixed,
+                                                             const Tangential& its_slide) const {
+        const auto inverse = [](double coefficient) DRILLSTRAND_LAMBDA {
+            const bool rough = coefficient > 0.0;
+            return (rough ? 1.0 : 0.0) / (rough ? coefficient : 1.0);
+        };
+        FrictionParameters result = *this;
+        result.fixed = its_fixed;
+        result.slide = its_slide;
+        result.fixed_inverse = {inverse(its_fixed.axial), inverse(its_fixed.azimuthal)};
+        result.slide_inverse = {inverse(its_slide.axial), inverse(its_slide.azimuthal)};
+        return result;
+    }
 };
 
 /// Coefficients and their inverses, so that kernels multiply. A coefficient of zero in a direction

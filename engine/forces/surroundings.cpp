@@ -12,7 +12,7 @@ namespace drillstrand {
 
 namespace {
 
-template <FrictionLaw law>
+template <FrictionLaw law, bool varied_wall>
 DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surroundings,
                                                  Table<WallRow>& wall, double dt,
                                                  std::size_t first) {
@@ -24,13 +24,21 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
     const double* slip_axial = wall.row(WallRow::slip_axial) + first;
     const double* slip_azimuthal = wall.row(WallRow::slip_azimuthal) + first;
     const double* rolling = wall.row(WallRow::rolling) + first;
-    const double* stiffness = surroundings.row(Surroundings::stiffness) + first;
+    const double* stiffness = wall.row(WallRow::stiffness) + first;
+    const double* static_axial = wall.row(WallRow::static_axial) + first;
+    const double* static_azimuthal = wall.row(WallRow::static_azimuthal) + first;
+    const double* dynamic_axial = wall.row(WallRow::dynamic_axial) + first;
+    const double* dynamic_azimuthal = wall.row(WallRow::dynamic_azimuthal) + first;
     // a copy, which the stores below cannot change: a reference would be read again, by branches
-    const FrictionParameters friction = surroundings.parameters().friction;
+    const FrictionParameters shared = surroundings.parameters().friction;
 #pragma omp simd
     for (std::size_t k = 0; k < block_size; ++k) {
         const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};
         const Tangential slip = {dt * slip_axial[k], dt * slip_azimuthal[k]};
+        const FrictionParameters friction =
+            varied_wall ? shared.with({static_axial[k], static_azimuthal[k]},
+                                      {dynamic_axial[k], dynamic_azimuthal[k]})
+                        : shared;
         const FrictionSpring next =
             law == FrictionLaw::paper
                 ? paper_spring(spring, slip, dt * rolling[k], stiffness[k] * depth[k], depth[k],
@@ -40,6 +48,12 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
         elongation_azimuthal[k] = next.elongation.azimuthal;
         sliding[k] = next.sliding;
     }
+}
+
+template <FrictionLaw law>
+auto advance_springs_kernel(Level level, const SurroundingsParameters& parameters) {
+    return parameters.varied_wall ? at_level<advance_springs_of_block<law, true>>(level)
+                                  : at_level<advance_springs_of_block<law, false>>(level);
 }
 
 ArcNumbers numbers_of(const WellArc& arc) {
@@ -53,6 +67,7 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     const ContactCase& contact = scene.contact;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
     p.restitution = contact.restitution.value_or(-1.0);
+    p.varied_wall = scene.features.varied_wall;
     p.friction =
         friction_parameters(contact.tangential_stiffness,
                             {contact.static_friction.axial, contact.static_friction.azimuthal},
@@ -74,6 +89,7 @@ Surroundings::Surroundings(const Scene& scene, Level level)
     : level_(level), parameters_(surroundings_parameters(scene)) {
     if (!scene.well) return;
     well_ = &*scene.well;
+    section_friction_ = scene.section_friction;
     nodes_ = scene.mesh.node.size();
     constants_ = BlockTable(rows, nodes_);
     constants_.fill(pipe, 1.0);
@@ -99,6 +115,7 @@ Table<WallRow> Surroundings::wall_at(const std::vector<Eigen::Vector3d>& positio
     wall.fill(WallRow::end_cosine, 1.0);
     wall.fill(WallRow::reach, 1.0);
     wall.fill(WallRow::hole, 1e9);
+    wall.fill(WallRow::hole_start, 1e9);
     std::size_t guess = well_->arc_at(well_->measured_depth_start());
     for (std::size_t k = 0; k < nodes_; ++k) {
         guess = well_->find_arc(position[k], guess);
@@ -127,21 +144,46 @@ void Surroundings::enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t
     wall.set(WallRow::tangent, entry, a.tangent);
     wall.set(WallRow::normal_to_axis, entry, a.normal);
     set(WallRow::curvature, a.curvature);
-    set(WallRow::hole, a.radius);
-    const double pipe_radius = flow_radius(row(body)[node], a.radius);
-    set(WallRow::concentric_axial,
-        parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(pipe_radius, a.radius));
-    if (parameters_.inertial_flow) {
-        const FlowInertia flow = flow_inertia(parameters_.density, parameters_.viscosity,
-                                              parameters_.drag_coefficient, pipe_radius, a.radius);
-        set(WallRow::cross_flow, flow.cross);
-        set(WallRow::swirl, flow.swirl);
-        set(WallRow::swirl_reynolds, flow.swirl_reynolds);
-        set(WallRow::stream, flow.stream);
-    }
+    meet_wall(wall, node, a);
+    meet_flow(wall, node, a);
     const double angle = a.curvature * a.length;
     set(WallRow::end_cosine, std::cos(angle));
     set(WallRow::reach, angle < 1e-8 ? a.length : std::sin(angle) / a.curvature);
+}
+
+/// The wall at the start of an arc, how it varies from there on, and its friction.
+void Surroundings::meet_wall(Table<WallRow>& wall, std::size_t node, const WellArc& arc) const {
+    const auto set = [&](WallRow row, double value) { wall.row(row)[node] = value; };
+    const double firmness = arc.firmness;
+    set(WallRow::hole, arc.radius);
+    set(WallRow::hole_start, arc.radius);
+    set(WallRow::widening, arc.widening);
+    set(WallRow::stiffness, firmness * row(stiffness)[node]);
+    set(WallRow::stiffness_start, firmness * row(stiffness)[node]);
+    set(WallRow::stiffening, arc.firming * row(stiffness)[node]);
+    set(WallRow::damping,
+        (parameters_.restitution < 0 ? 1.0 : std::sqrt(firmness)) * row(damping)[node]);
+    const SectionFriction& friction = section_friction_[arc.section];
+    set(WallRow::static_axial, friction.fixed.axial);
+    set(WallRow::static_azimuthal, friction.fixed.azimuthal);
+    set(WallRow::dynamic_axial, friction.slide.axial);
+    set(WallRow::dynamic_azimuthal, friction.slide.azimuthal);
+}
+
+/// Coefficients of the flow around a node, with the radius in the middle of the arc.
+void Surroundings::meet_flow(Table<WallRow>& wall, std::size_t node, const WellArc& arc) const {
+    const auto set = [&](WallRow row, double value) { wall.row(row)[node] = value; };
+    const double hole = arc.radius_at(0.5 * arc.length);
+    const double pipe_radius = flow_radius(row(body)[node], hole);
+    set(WallRow::concentric_axial,
+        parameters_.eccentric_axial_drag ? 0.0 : concentric_axial_drag(pipe_radius, hole));
+    if (!parameters_.inertial_flow) return;
+    const FlowInertia flow = flow_inertia(parameters_.density, parameters_.viscosity,
+                                          parameters_.drag_coefficient, pipe_radius, hole);
+    set(WallRow::cross_flow, flow.cross);
+    set(WallRow::swirl, flow.swirl);
+    set(WallRow::swirl_reynolds, flow.swirl_reynolds);
+    set(WallRow::stream, flow.stream);
 }
 
 Eigen::Vector3d Surroundings::direction(const Table<WallRow>& wall, std::size_t node,
@@ -154,9 +196,9 @@ Eigen::Vector3d Surroundings::direction(const Table<WallRow>& wall, std::size_t 
 double Surroundings::fluid_mass(const Table<WallRow>& wall, std::size_t node,
                                 const Eigen::Vector3d& position) const {
     if (empty() || row(displaced)[node] == 0) return 0;
-    const WellFrame frame =
-        well_frame(triple(position), numbers_of(well_->arcs()[arc(wall, node)]));
-    const double hole_radius = wall.row(WallRow::hole)[node];
+    const WellArc& here = well_->arcs()[arc(wall, node)];
+    const WellFrame frame = well_frame(triple(position), numbers_of(here));
+    const double hole_radius = along_arc(frame, here.radius, here.widening).value;
     const double pipe_radius = flow_radius(row(body)[node], hole_radius);
     const Annulus annulus(
         film_eccentricity(frame.eccentricity, pipe_radius, hole_radius, parameters_.film),
@@ -169,28 +211,38 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     NodeContact result;
     if (empty()) return result;
     const std::size_t in = arc(wall, node);
-    const WellFrame frame = well_frame(triple(position), numbers_of(well_->arcs()[in]));
+    const WellArc& here = well_->arcs()[in];
+    const WellFrame frame = well_frame(triple(position), numbers_of(here));
+    const AlongArc hole = along_arc(frame, here.radius, here.widening);
+    const AlongArc firmness = along_arc(frame, here.firmness, here.firming);
     result.eccentricity = frame.eccentricity;
-    const double hole = wall.row(WallRow::hole)[node];
-    result.clearance = std::max(hole - row(pipe)[node], 0.0);
-    result.room = hole - flow_radius(row(body)[node], hole);
+    result.clearance = std::max(hole.value - row(pipe)[node], 0.0);
+    result.room = hole.value - flow_radius(row(body)[node], hole.value);
+    result.firmness = firmness.value;
     result.around = vector(frame.t);
     result.well_depth = well_->project(position, in).measured_depth;
-    const double dr = penetration(frame.eccentricity, hole, row(pipe)[node]);
+    const double dr = penetration(frame.eccentricity, hole.value, row(pipe)[node]);
     if (dr <= 0) return result;
     const FrictionSpring spring = {
         {wall.row(WallRow::elongation_axial)[node], wall.row(WallRow::elongation_azimuthal)[node]},
         wall.row(WallRow::sliding)[node]};
-    const FrictionParameters& p = parameters_.friction;
+    const SectionFriction& friction = section_friction_[here.section];
+    const FrictionParameters p =
+        parameters_.friction.with({friction.fixed.axial, friction.fixed.azimuthal},
+                                  {friction.slide.axial, friction.slide.azimuthal});
+    const double its_stiffness = firmness.value * row(stiffness)[node];
     result.penetration = dr;
     result.normal_force = wall.row(WallRow::normal)[node];
     const Tangential rub = friction_force(spring, result.normal_force, p);
     result.axial_friction = rub.axial;
     result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
                    rub.azimuthal * vector(frame.t);
+    const double by_slopes =
+        result.normal_force * hole.slope - 0.5 * firmness.slope * row(stiffness)[node] * dr * dr;
+    if (by_slopes != 0) result.force += by_slopes * vector(frame.l);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +
                             spring.elongation.azimuthal * spring.elongation.azimuthal;
-    result.spring_energy = 0.5 * row(stiffness)[node] * dr * dr + 0.5 * p.stiffness * stretch2;
+    result.spring_energy = 0.5 * its_stiffness * dr * dr + 0.5 * p.stiffness * stretch2;
     return result;
 }
 
@@ -208,9 +260,9 @@ bool Surroundings::changes(const Table<WallRow>& wall, std::size_t block) const 
 }
 
 void Surroundings::advance_springs(Table<WallRow>& wall, double dt, std::size_t block) const {
-    const auto advance = parameters_.friction.law == FrictionLaw::paper
-                             ? at_level<advance_springs_of_block<FrictionLaw::paper>>(level_)
-                             : at_level<advance_springs_of_block<FrictionLaw::coulomb>>(level_);
+    const bool paper = parameters_.friction.law == FrictionLaw::paper;
+    const auto advance = paper ? advance_springs_kernel<FrictionLaw::paper>(level_, parameters_)
+                               : advance_springs_kernel<FrictionLaw::coulomb>(level_, parameters_);
     advance(*this, wall, dt, block * block_size);
 }
 

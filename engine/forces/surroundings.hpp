@@ -17,8 +17,9 @@ namespace drillstrand {
 
 /// Constants of the surroundings that all nodes share.
 struct SurroundingsParameters {
-    double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
-    double restitution = -1;  ///< that a case asks for; -1 where spring and dashpot tell
+    double least_normal = 0;   ///< 0, or minus infinity where the dashpot may pull (N/m)
+    double restitution = -1;   ///< that a case asks for; -1 where spring and dashpot tell
+    bool varied_wall = false;  ///< friction, firmness or diameter vary along the well
     FrictionParameters friction{};
     double density = 0;    ///< kg/m3
     double viscosity = 0;  ///< Pa s
@@ -36,6 +37,7 @@ struct NodeContact {
     double eccentricity = 0;                           ///< m
     double clearance = 0;                              ///< of what touches, 0 at least (m)
     double room = 0;                                   ///< of the pipe's body in the hole (m)
+    double firmness = 1;                               ///< of the wall (WellArc::firmness)
     double well_depth = 0;                             ///< measured depth of its section (m)
     double penetration = 0;                            ///< m; 0 in the open hole
     double normal_force = 0;                           ///< N/m
@@ -52,7 +54,7 @@ class Surroundings {
     enum Row : std::size_t {
         pipe,       // radius that touches the wall (m)
         body,       // radius around which mud flows (m)
-        stiffness,  // k_el (Pa)
+        stiffness,  // k_el of a wall of firmness 1 (Pa)
         damping,    // eta_el (Pa s)
         inside,     // fluid in the pipe that moves sideways with it (kg/m)
         displaced,  // fluid that the pipe displaces, rho pi R^2, where it has an added mass (kg/m)
@@ -118,9 +120,12 @@ class Surroundings {
         return static_cast<std::size_t>(wall.row(WallRow::arc)[node]);
     }
     void enter_arc(Table<WallRow>& wall, std::size_t node, std::size_t arc) const;
+    void meet_wall(Table<WallRow>& wall, std::size_t node, const WellArc& arc) const;
+    void meet_flow(Table<WallRow>& wall, std::size_t node, const WellArc& arc) const;
 
     Level level_;
     const Well* well_ = nullptr;
+    std::vector<SectionFriction> section_friction_;
     std::size_t nodes_ = 0;
     SurroundingsParameters parameters_;
     BlockTable constants_;

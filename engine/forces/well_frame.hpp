@@ -23,7 +23,20 @@ struct WellFrame {
     double eccentricity;  ///< distance of the node from the axis (m)
     double along;         ///< a = (x - p) . t, coordinate of the node along the arc's first tangent
     double toward;        ///< q = 1 - c e, e the coordinate toward the centre
+    double inverse;       ///< 1 / rho, rho the distance from the centre times c
 };
+
+/// Something that is linear in sin(c s)/c of the foot point, s its distance from the start of the
+/// arc: its value, and its growth as the node moves along l.
+struct AlongArc {
+    double value;
+    double slope;
+};
+
+DRILLSTRAND_INLINE AlongArc along_arc(const WellFrame& frame, double at_start, double growth) {
+    return {at_start + growth * frame.along * frame.inverse,
+            growth * frame.toward * frame.inverse * frame.inverse};
+}
 
 /// Foot-point projection onto an arc without trigonometry (physics: engine/model/README.md).
 /// On the axis itself any unit vector normal to l serves as r; nothing divides by zero.
@@ -48,7 +61,7 @@ DRILLSTRAND_INLINE WellFrame well_frame(const Triple& x, const ArcNumbers& arc) 
     const Triple r = {off_axis ? to_axis.x * scale : inward.x,
                       off_axis ? to_axis.y * scale : inward.y,
                       off_axis ? to_axis.z * scale : inward.z};
-    return {r, {l.x, l.y, l.z}, cross(r, l), eccentricity, a, q};
+    return {r, {l.x, l.y, l.z}, cross(r, l), eccentricity, a, q, inverse};
 }
 
 /// Whether the foot lies past the end of the arc (sine and cosine are of its total angle; reach =

@@ -36,27 +36,6 @@ Eigen::Vector3d read_direction(const Value& value) {
     return direction / length;
 }
 
-/// Dynamic coefficients: as given, at most the static ones; left out, the usual ones or the static
-/// ones where those are less.
-FrictionCoefficients read_dynamic_friction(const Table& table, const ContactCase& contact) {
-    const FrictionCoefficients& standing = contact.static_friction;
-    const FrictionCoefficients& usual = contact.dynamic_friction;
-    const std::optional<Value> value =
-        table.find("dynamic_friction", fmt::format("{}", usual.axial));
-    if (!value) {
-        return {std::min(usual.axial, standing.axial),
-                std::min(usual.azimuthal, standing.azimuthal)};
-    }
-    const FrictionCoefficients dynamic = read_friction(*value);
-    const auto check = [&](double sliding, double sticking) {
-        if (sliding <= sticking) return;
-        value->fail(fmt::format("is {}; expected at most static_friction, {}", sliding, sticking));
-    };
-    check(dynamic.axial, standing.axial);
-    check(dynamic.azimuthal, standing.azimuthal);
-    return dynamic;
-}
-
 }  // namespace
 
 FrictionCoefficients read_friction(const Value& value) {
@@ -70,6 +49,23 @@ FrictionCoefficients read_friction(const Value& value) {
             fmt::format("has {} entries; expected a number or [axial, azimuthal]", parts.size()));
     }
     return {parts[0].number(plausible::friction), parts[1].number(plausible::friction)};
+}
+
+FrictionCoefficients read_dynamic_friction(const std::optional<Value>& value,
+                                           const FrictionCoefficients& standing,
+                                           const FrictionCoefficients& usual) {
+    if (!value) {
+        return {std::min(usual.axial, standing.axial),
+                std::min(usual.azimuthal, standing.azimuthal)};
+    }
+    const FrictionCoefficients dynamic = read_friction(*value);
+    const auto check = [&](double sliding, double sticking) {
+        if (sliding <= sticking) return;
+        value->fail(fmt::format("is {}; expected at most static_friction, {}", sliding, sticking));
+    };
+    check(dynamic.axial, standing.axial);
+    check(dynamic.azimuthal, standing.azimuthal);
+    return dynamic;
 }
 
 HeadCase read_head(const Table& root) {
@@ -161,7 +157,10 @@ ContactCase read_contact(const Table& root) {
     if (const std::optional<Value> value = table.find("static_friction", usual)) {
         contact.static_friction = read_friction(*value);
     }
-    contact.dynamic_friction = read_dynamic_friction(table, contact);
+    const FrictionCoefficients sliding = contact.dynamic_friction;
+    contact.dynamic_friction =
+        read_dynamic_friction(table.find("dynamic_friction", fmt::format("{}", sliding.axial)),
+                              contact.static_friction, sliding);
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
     contact.tension = table.boolean("tension", contact.tension);

@@ -43,6 +43,12 @@ TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>
 /// One coefficient for both directions, or [axial, azimuthal].
 FrictionCoefficients read_friction(const Value& value);
 
+/// Dynamic coefficients: as given, at most the static ones; left out, the usual ones or the static
+/// ones where those are less.
+FrictionCoefficients read_dynamic_friction(const std::optional<Value>& value,
+                                           const FrictionCoefficients& standing,
+                                           const FrictionCoefficients& usual);
+
 /// Throws InputError where the string is longer than the surveyed well or where a component, at
 /// its place below a head at the start of the well, is wider than the hole by more than an
 /// interference (m). A head elsewhere leaves the depths open: then lengths alone are compared.

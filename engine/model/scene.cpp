@@ -108,6 +108,28 @@ StringCase with_toolfaces_from_d1(StringCase string, const Well& well,
     return string;
 }
 
+/// The friction of each section: its own, or that of [contact].
+std::vector<SectionFriction> section_friction(const WellCase& well, const ContactCase& contact) {
+    std::vector<SectionFriction> result;
+    for (const WellSectionCase& section : well.sections)
+        result.push_back({section.static_friction.value_or(contact.static_friction),
+                          section.dynamic_friction.value_or(contact.dynamic_friction)});
+    return result;
+}
+
+bool has_own_friction(const WellSectionCase& section) {
+    return section.static_friction || section.dynamic_friction;
+}
+
+/// Puts the string's well around it.
+void set_well(Scene& scene, const WellCase& well) {
+    scene.well.emplace(well, scene.contact.normal_stiffness);
+    scene.section_friction = section_friction(well, scene.contact);
+    scene.features.varied_wall =
+        scene.well->varies_along() ||
+        std::any_of(well.sections.begin(), well.sections.end(), has_own_friction);
+}
+
 SceneFeatures features_of(const Case& input, const StringMesh& mesh) {
     SceneFeatures features;
     features.well = input.well.has_value();
@@ -141,10 +163,10 @@ std::vector<double> lateral_masses(const Scene& scene) {
         if (!scene.features.fluid_mass) continue;
         const Eigen::Vector3d& position = scene.initial_nodes.position[k];
         arc = scene.well->find_arc(position, arc);
+        const double hole = scene.well->project(position, arc).radius;
         masses.back() +=
             fluid_inside(node, *scene.fluid) +
-            fluid_displaced(node, *scene.fluid) *
-                concentric_added_mass(node.flow_radius, scene.well->arcs()[arc].radius);
+            fluid_displaced(node, *scene.fluid) * concentric_added_mass(node.flow_radius, hole);
     }
     return masses;
 }
@@ -289,7 +311,7 @@ Scene scene_of(const Case& input) {
     scene.damping = input.damping;
     scene.head = input.head;
     scene.bit = input.bit;
-    if (input.well) scene.well.emplace(*input.well);
+    if (input.well) set_well(scene, *input.well);
 
     const WellCrossSection mouth =
         scene.well ? scene.well->at(scene.well->measured_depth_start())

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "model/hole_wall.hpp"
 #include "model/survey.hpp"
 
 namespace drillstrand {
@@ -107,21 +108,44 @@ WellArc cut_off_above(WellArc& arc, double measured_depth) {
     return above;
 }
 
-/// Gives each arc its radius, cutting it where the diameter changes.
-std::vector<WellArc> with_radii(const std::vector<WellArc>& arcs,
-                                const std::vector<WellSectionCase>& sections) {
+/// sin(c s)/c at the end of an arc, in which its wall is linear.
+double reach_of(const WellArc& arc) {
+    return arc.length * sine_ratio(arc.curvature * arc.length);
+}
+
+void set_wall(WellArc& arc, const HoleWall& wall) {
+    const double start = arc.measured_depth_start;
+    arc.section = wall.section;
+    arc.radius = 0.5 * wall.diameter_at(start);
+    arc.firmness = wall.firmness_at(start);
+    if (!wall.varies()) return;
+    const double end = measured_depth_end_of(arc);
+    arc.widening = (0.5 * wall.diameter_at(end) - arc.radius) / reach_of(arc);
+    arc.firming = (wall.firmness_at(end) - arc.firmness) / reach_of(arc);
+}
+
+/// Adds an arc that lies in one wall; where that varies, in pieces in which sin(c s)/c is near s.
+void add_arc(std::vector<WellArc>& arcs, WellArc arc, const HoleWall& wall) {
+    constexpr double most_angle = 0.25;
+    if (wall.varies() && arc.curvature * arc.length > most_angle) {
+        add_arc(arcs, cut_off_above(arc, arc.measured_depth_start + 0.5 * arc.length), wall);
+        add_arc(arcs, arc, wall);
+        return;
+    }
+    set_wall(arc, wall);
+    arcs.push_back(arc);
+}
+
+/// Gives each arc its wall, cutting it where one ends.
+std::vector<WellArc> with_walls(const std::vector<WellArc>& arcs,
+                                const std::vector<HoleWall>& walls) {
     std::vector<WellArc> result;
-    std::size_t section = 0;
+    auto wall = walls.begin();
     for (WellArc arc : arcs) {
-        while (section + 1 < sections.size() && sections[section].to < measured_depth_end_of(arc)) {
-            if (sections[section].to > arc.measured_depth_start) {
-                result.push_back(cut_off_above(arc, sections[section].to));
-                result.back().radius = 0.5 * sections[section].diameter;
-            }
-            ++section;
-        }
-        arc.radius = 0.5 * sections[section].diameter;
-        result.push_back(arc);
+        for (; wall->to < measured_depth_end_of(arc); ++wall)
+            if (wall->to > arc.measured_depth_start)
+                add_arc(result, cut_off_above(arc, wall->to), *wall);
+        add_arc(result, arc, *wall);
     }
     return result;
 }
@@ -131,7 +155,8 @@ std::vector<WellArc> with_radii(const std::vector<WellArc>& arcs,
 void check_bends(const std::vector<WellArc>& arcs) {
     for (const WellArc& arc : arcs) {
         const bool turns_back = (arc.tangent + arc.end_tangent).norm() < 1e-6;
-        if (turns_back || arc.curvature * arc.radius >= 1.0)
+        const double radius = std::max(arc.radius, arc.radius_at(arc.length));
+        if (turns_back || arc.curvature * radius >= 1.0)
             throw std::invalid_argument(fmt::format(
                 "the survey turns too sharply below a measured depth of {:g} m; a well bends by "
                 "less than half a turn between stations and on a radius wider than its own",
@@ -141,11 +166,29 @@ void check_bends(const std::vector<WellArc>& arcs) {
 
 }  // namespace
 
-Well::Well(const WellCase& well)
-    : arcs_(with_radii(arcs_through(well.survey), well.sections)),
+double WellArc::radius_at(double distance) const {
+    return radius + widening * distance * sine_ratio(curvature * distance);
+}
+
+Well::Well(const WellCase& well, double normal_stiffness)
+    : arcs_(with_walls(
+          arcs_through(well.survey),
+          hole_walls(well.sections, well.survey.front().measured_depth, normal_stiffness))),
       measured_depth_start_(well.survey.front().measured_depth),
       measured_depth_end_(well.survey.back().measured_depth) {
     check_bends(arcs_);
+}
+
+bool Well::varies_along() const {
+    return std::any_of(arcs_.begin(), arcs_.end(),
+                       [](const WellArc& arc) { return arc.widening != 0 || arc.firming != 0; });
+}
+
+double Well::largest_firmness() const {
+    double largest = 0;
+    for (const WellArc& arc : arcs_)
+        largest = std::max(largest, arc.firmness);
+    return largest;
 }
 
 std::size_t Well::arc_at(double measured_depth) const {
@@ -158,7 +201,8 @@ std::size_t Well::arc_at(double measured_depth) const {
 WellCrossSection Well::at(double measured_depth) const {
     const WellArc& arc = arcs_[arc_at(measured_depth)];
     const double distance = measured_depth - arc.measured_depth_start;
-    return {point_on(arc, distance), tangent_on(arc, distance), measured_depth, arc.radius};
+    return {point_on(arc, distance), tangent_on(arc, distance), measured_depth,
+            arc.radius_at(distance)};
 }
 
 std::size_t Well::find_arc(const Vector3d& point, std::size_t guess) const {
@@ -191,7 +235,7 @@ WellCrossSection Well::project(const Vector3d& point, std::size_t index) const {
     section.axis = arc.start + (a * arc.tangent + toward_centre * arc.normal) / r;
     section.direction = (q * arc.tangent + a * c * arc.normal) / r;
     section.measured_depth = arc.measured_depth_start + (c > 0 ? std::atan2(a * c, q) / c : a);
-    section.radius = arc.radius;
+    section.radius = arc.radius + arc.widening * a / r;
     return section;
 }
 

@@ -308,8 +308,9 @@ const std::vector<WellDataset>& well_datasets() {
         well_value<&W::sections, &WellSectionCase::to>(
             "/well/section_end", "D", "m",
             "measured depth at which a section of one diameter ends; the last one goes on"),
-        well_value<&W::sections, &WellSectionCase::diameter>("/well/section_diameter", "D", "m",
-                                                             "diameter of the hole in the section"),
+        well_value<&W::sections, &WellSectionCase::diameter>(
+            "/well/section_diameter", "D", "m",
+            "diameter of the hole in the section, at its start"),
     };
     return table;
 }

@@ -3,6 +3,20 @@
 
 namespace drillstrand {
 
+namespace {
+
+/// The well with what [contact] says of the walls of its sections.
+WellCase with_walls(WellCase well, const ContactCase& contact) {
+    for (WellSectionCase& section : well.sections) {
+        section.static_friction = section.static_friction.value_or(contact.static_friction);
+        section.dynamic_friction = section.dynamic_friction.value_or(contact.dynamic_friction);
+        section.normal_stiffness = section.normal_stiffness.value_or(contact.normal_stiffness);
+    }
+    return well;
+}
+
+}  // namespace
+
 ResultHeader result_header(const Case& input, const Scene& scene) {
     ResultHeader header;
     header.title = input.title;
@@ -30,7 +44,7 @@ ResultHeader result_header(const Case& input, const Scene& scene) {
         header.component_start.push_back(from);
         header.component_end.push_back(from += component.length);
     }
-    header.well = input.well;
+    if (input.well) header.well = with_walls(*input.well, input.contact);
     return header;
 }
 

@@ -50,6 +50,70 @@ void read_string(UntrustedFile& file, ResultHeader& header) {
     }
 }
 
+constexpr const char* section_names_path = "/well/section_name";
+constexpr const char* section_end_diameters_path = "/well/section_end_diameter";
+constexpr const char* section_statics_path = "/well/section_static_friction";
+constexpr const char* section_dynamics_path = "/well/section_dynamic_friction";
+constexpr const char* section_stiffnesses_path = "/well/section_normal_stiffness";
+
+/// Coefficients of every section: along the well, around it.
+std::vector<double> coefficients(const WellCase& well,
+                                 std::optional<FrictionCoefficients> WellSectionCase::*friction) {
+    std::vector<double> values;
+    for (const WellSectionCase& section : well.sections) {
+        values.push_back((section.*friction)->axial);
+        values.push_back((section.*friction)->azimuthal);
+    }
+    return values;
+}
+
+/// What the walls of the sections are. A header knows it of every section, or of none.
+void write_walls(H5::H5File& file, const WellCase& well) {
+    const hsize_t count = well.sections.size();
+    std::vector<std::string> names;
+    std::vector<double> end_diameters;
+    std::vector<double> stiffnesses;
+    for (const WellSectionCase& section : well.sections) {
+        names.push_back(section.name);
+        end_diameters.push_back(section.end_diameter.value_or(section.diameter));
+        stiffnesses.push_back(*section.normal_stiffness);
+    }
+    write_texts(file, section_names_path, "names of the sections", names);
+    write_values(file, section_end_diameters_path, false, {count}, "m",
+                 "diameter of the hole at the section's end", end_diameters);
+    write_values(file, section_statics_path, false, {count, 2}, "1",
+                 "static friction of the section, along the well and around it",
+                 coefficients(well, &WellSectionCase::static_friction));
+    write_values(file, section_dynamics_path, false, {count, 2}, "1",
+                 "dynamic friction of the section, along the well and around it",
+                 coefficients(well, &WellSectionCase::dynamic_friction));
+    write_values(file, section_stiffnesses_path, false, {count}, "Pa",
+                 "normal stiffness of the section's wall", stiffnesses);
+}
+
+void read_walls(UntrustedFile& file, WellCase& well) {
+    const hsize_t count = well.sections.size();
+    const std::vector<std::string> names = read_texts(file, section_names_path, count);
+    const auto values = [&](const char* path) {
+        return read_checked_values(file, path, false, {count});
+    };
+    const auto pairs = [&](const char* path) {
+        return read_checked_values(file, path, false, {count, 2});
+    };
+    const std::vector<double> end_diameters = values(section_end_diameters_path);
+    const std::vector<double> stiffnesses = values(section_stiffnesses_path);
+    const std::vector<double> statics = pairs(section_statics_path);
+    const std::vector<double> dynamics = pairs(section_dynamics_path);
+    for (std::size_t k = 0; k < well.sections.size(); ++k) {
+        WellSectionCase& section = well.sections[k];
+        section.name = names[k];
+        if (end_diameters[k] != section.diameter) section.end_diameter = end_diameters[k];
+        section.normal_stiffness = stiffnesses[k];
+        section.static_friction = {statics[2 * k], statics[2 * k + 1]};
+        section.dynamic_friction = {dynamics[2 * k], dynamics[2 * k + 1]};
+    }
+}
+
 void write_well(H5::H5File& file, const WellCase& well) {
     file.createGroup("/well");
     for (const auto& entry : well_datasets()) {
@@ -58,6 +122,7 @@ void write_well(H5::H5File& file, const WellCase& well) {
         if (entry.components > 1) extents.push_back(entry.components);
         write_values(file, entry.path, false, extents, entry.units, entry.description, values);
     }
+    if (well.sections.front().normal_stiffness) write_walls(file, well);
 }
 
 /// Throws UnsoundFile unless a Well can be made of what was read.
@@ -69,8 +134,14 @@ void check_well(const WellCase& well) {
         if (!std::isfinite(station.inclination) || !std::isfinite(station.azimuth))
             refuse("a direction that is none");
     for (const WellSectionCase& section : well.sections)
-        if (!std::isfinite(section.diameter) || section.diameter <= 0)
-            refuse("a diameter that is not positive");
+        for (const double diameter :
+             {section.diameter, section.end_diameter.value_or(section.diameter)})
+            if (!std::isfinite(diameter) || diameter <= 0)
+                refuse("a diameter that is not positive");
+    for (const WellSectionCase& section : well.sections)
+        if (section.normal_stiffness &&
+            !(std::isfinite(*section.normal_stiffness) && *section.normal_stiffness > 0))
+            refuse("a stiffness that is not positive");
     try {
         static_cast<void>(Well(well));
     } catch (const std::invalid_argument& error) {
@@ -93,6 +164,7 @@ WellCase read_well(UntrustedFile& file) {
         }
         entry.assign(well, values);
     }
+    if (holds(file, section_names_path)) read_walls(file, well);
     check_well(well);
     return well;
 }

@@ -20,9 +20,10 @@ enum class Around { nothing, wall, mud, streaming_mud };
 /// and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity in it
 /// (`u`), the eccentricity, what a force across the well does to the velocity (`across`: kick over
 /// the mass that moves sideways), 1 where the node came to the wall since the last step (`came`),
-/// the annulus around it, the mass of the fluid that goes along and its slope, and the drag of
-/// creeping flow.
-using Held = HeldLines<31>;
+/// the annulus around it, the mass of the fluid that goes along and its slope, the drag of creeping
+/// flow, and, where the wall varies along the well, how its radius and stiffness grow down the
+/// well.
+using Held = HeldLines<33>;
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -47,11 +48,13 @@ struct HeldRows {
           drag_axial(held.line[27]),
           drag_around(held.line[28]),
           drag_cross(held.line[29]),
-          drag_spin(held.line[30]) {}
+          drag_spin(held.line[30]),
+          widening(held.line[31]),
+          stiffening(held.line[32]) {}
     Triples v, v_rod, r, l;
     double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came,
         *annulus_spread, *annulus_sinh, *annulus_cosh, *annulus_distance, *fluid_slope,
-        *drag_radial, *drag_axial, *drag_around, *drag_cross, *drag_spin;
+        *drag_radial, *drag_axial, *drag_around, *drag_cross, *drag_spin, *widening, *stiffening;
 };
 
 /// The forces of the rod on its nodes, and their motion.
@@ -261,8 +264,14 @@ struct WellNodes {
         double leaves, touches, touched, impact;
     };
     /// Finds its place, and, where no fluid goes along, its velocity in the well.
+    template <bool varied_wall>
     DRILLSTRAND_INLINE Place surround(std::size_t k) const {
         const WellFrame frame = well_frame(in.x[k], wall.arc(k));
+        if constexpr (varied_wall) {
+            const auto slopes = wall.vary(k, frame);
+            h.widening[k] = slopes.hole;
+            h.stiffening[k] = slopes.stiffness;
+        }
         const double dr = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
         Place place;
         place.leaves = foot_leaves(frame, wall.end_cosine[k], wall.reach[k]) ? 1.0 : 0.0;
@@ -342,14 +351,28 @@ struct WellNodes {
         project(k);
     }
 
+    /// Where the wall varies, its normal leans: it also pushes the node to where the hole is wide
+    /// and the wall soft.
+    template <bool varied_wall>
     DRILLSTRAND_INLINE void press(std::size_t k) const {
         const Mobility m = mobility(k);
+        const double lean = varied_wall ? h.widening[k] : 0.0;
+        Mobility leaning = m;
+        double speed = h.u_r[k];
+        if constexpr (varied_wall) {
+            leaning.across += lean * lean * m.along;
+            speed += lean * h.u_l[k];
+        }
         // positions go straight on for a drift: none where a whole step is looked at
-        const double approach = h.u_r[k] - circling_speed(h.eccentricity[k], h.u_t[k], drift);
+        const double approach = speed - circling_speed(h.eccentricity[k], h.u_t[k], drift);
         const double normal = implicit_normal_force(wall.depth[k], approach, wall.stiffness[k],
-                                                    wall.dashpot[k], least_normal, kick, m);
+                                                    wall.dashpot[k], least_normal, kick, leaning);
         wall.normal[k] = normal;
         h.u_r[k] += m.across * normal;
+        if constexpr (varied_wall) {
+            const double depth = wall.depth[k] > 0.0 ? wall.depth[k] : 0.0;
+            h.u_l[k] += m.along * (lean * normal - 0.5 * h.stiffening[k] * depth * depth);
+        }
     }
 
     /// Impact with the restitution that the case asks for, in closed form: a collision may be over
@@ -357,12 +380,21 @@ struct WellNodes {
     /// speed, before or after the rod's kick, whichever is less: the wall then only takes energy.
     /// The step took it into the wall without work against its springs: on its way out these do no
     /// more than hold it and let it out gently, or they would give what they never took.
+    template <bool varied_wall>
     DRILLSTRAND_INLINE void rebound(std::size_t k) const {
         constexpr double gentle = 0.05;  // of the depth in a step
-        const double across = mobility(k).across;
+        const Mobility m = mobility(k);
         const double pressed = wall.normal[k];
-        const double star = h.u_r[k] - across * pressed;
-        const double coming = -dot(in.v[k], at(h.r, k));
+        const double star_r = h.u_r[k] - m.across * pressed;
+        double across = m.across;
+        double star = star_r;
+        double coming = -dot(in.v[k], at(h.r, k));
+        if constexpr (varied_wall) {
+            const double lean = h.widening[k];
+            across += lean * lean * m.along;
+            star += lean * (h.u_l[k] - m.along * lean * pressed);
+            coming -= lean * dot(in.v[k], at(h.l, k));
+        }
         const double least = coming < -star ? coming : -star;
         const double speed = least > 0.0 ? least : 0.0;
         const bool bounces = h.came[k] * speed > 0.0;
@@ -376,14 +408,16 @@ struct WellNodes {
         const double normal = bounces ? (restitution * speed - star) / across : rest;
         wall.normal[k] = normal;
         wall.rebounds[k] = bounces || inside ? 1.0 : 0.0;
-        h.u_r[k] = star + across * normal;
+        h.u_r[k] = star_r + m.across * normal;
+        if constexpr (varied_wall) h.u_l[k] += m.along * h.widening[k] * (normal - pressed);
     }
 
     /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
     /// that of a node that sticks is then none, whatever pulls at it.
-    template <FrictionLaw law>
+    template <FrictionLaw law, bool varied_wall>
     DRILLSTRAND_INLINE double rub(std::size_t k) const {
         const Mobility m = mobility(k);
+        const FrictionParameters its = varied_wall ? wall.friction(k, friction) : friction;
         const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
         const double dr = wall.depth[k];
         const double normal = wall.normal[k];
@@ -393,8 +427,8 @@ struct WellNodes {
         const FrictionStep done =
             law == FrictionLaw::paper
                 ? paper_step(spring, u, wall.stiffness[k] * dr, dr, rolled, wall.pipe[k], kick, m,
-                             friction)
-                : coulomb_step(spring, u, normal, dr, rolled, wall.pipe[k], kick, m, friction);
+                             its)
+                : coulomb_step(spring, u, normal, dr, rolled, wall.pipe[k], kick, m, its);
         const double slip = done.spring.sliding > wall.sliding[k] ? 1.0 : 0.0;
         wall.elongation_axial[k] = done.spring.elongation.axial;
         wall.elongation_azimuthal[k] = done.spring.elongation.azimuthal;
@@ -460,6 +494,53 @@ struct WellNodes {
     }
 };
 
+/// How many nodes of a span leave their arc, touch the wall, touched it before and came to it.
+struct Met {
+    double leavers, touching, touched, impacts;
+};
+
+template <bool varied_wall, class Well>
+DRILLSTRAND_INLINE Met surround_nodes(const Well& well, std::size_t count) {
+    double leavers = 0.0;
+    double touching = 0.0;
+    double touched = 0.0;
+    double impacts = 0.0;
+#pragma omp simd reduction(+ : leavers, touching, touched, impacts)
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto place = well.template surround<varied_wall>(k);
+        leavers += place.leaves;
+        touching += place.touches;
+        touched += place.touched;
+        impacts += place.impact;
+    }
+    return {leavers, touching, touched, impacts};
+}
+
+/// Pressing and rubbing in two loops: what waits for the one does not hold up the other. Returns
+/// how many nodes began to slide.
+template <bool varied_wall, class Well>
+DRILLSTRAND_INLINE double touch_wall(const Well& well, std::size_t count) {
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k)
+        well.template press<varied_wall>(k);
+    if (well.restitution >= 0.0) {
+#pragma omp simd
+        for (std::size_t k = 0; k < count; ++k)
+            well.template rebound<varied_wall>(k);
+    }
+    double slips = 0.0;
+    if (well.friction.law == FrictionLaw::paper) {
+#pragma omp simd reduction(+ : slips)
+        for (std::size_t k = 0; k < count; ++k)
+            slips += well.template rub<FrictionLaw::paper, varied_wall>(k);
+    } else {
+#pragma omp simd reduction(+ : slips)
+        for (std::size_t k = 0; k < count; ++k)
+            slips += well.template rub<FrictionLaw::coulomb, varied_wall>(k);
+    }
+    return slips;
+}
+
 template <Around around, bool heavy, Damping damping, bool curved>
 DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Table<DirectorRow>& rod,
                                           Table<DirectorRow>& next,
@@ -489,18 +570,10 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     } else {
         const WellNodes<heavy, damped> well(model, wall, nodes.c, nodes.in, held, first, kick,
                                             drift);
-        double leavers = 0.0;
-        double touching = 0.0;
-        double touched = 0.0;
-        double impacts = 0.0;
-#pragma omp simd reduction(+ : leavers, touching, touched, impacts)
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto place = well.surround(k);
-            leavers += place.leaves;
-            touching += place.touches;
-            touched += place.touched;
-            impacts += place.impact;
-        }
+        // two versions of these loops: a wall that is the same all along costs nothing more
+        const bool varied_wall = model.features.varied_wall;
+        const Met met =
+            varied_wall ? surround_nodes<true>(well, count) : surround_nodes<false>(well, count);
         if constexpr (heavy) {
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
@@ -513,32 +586,15 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
                 well.take_fluid_along(k);
         }
 
-        // pressing and rubbing in two loops: what waits for the one does not hold up the other
         double slips = 0.0;
-        const bool contact = touching + touched > 0.0;
+        const bool contact = met.touching + met.touched > 0.0;
         if (contact) {
-#pragma omp simd
-            for (std::size_t k = 0; k < count; ++k)
-                well.press(k);
-            if (well.restitution >= 0.0) {
-#pragma omp simd
-                for (std::size_t k = 0; k < count; ++k)
-                    well.rebound(k);
-            }
-            if (well.friction.law == FrictionLaw::paper) {
-#pragma omp simd reduction(+ : slips)
-                for (std::size_t k = 0; k < count; ++k)
-                    slips += well.template rub<FrictionLaw::paper>(k);
-            } else {
-#pragma omp simd reduction(+ : slips)
-                for (std::size_t k = 0; k < count; ++k)
-                    slips += well.template rub<FrictionLaw::coulomb>(k);
-            }
+            slips = varied_wall ? touch_wall<true>(well, count) : touch_wall<false>(well, count);
         }
 
         constexpr bool in_mud = around == Around::mud || around == Around::streaming_mud;
         if constexpr (in_mud) {
-            if (well.wet_in_contact > 0.0 || touching < static_cast<double>(count)) {
+            if (well.wet_in_contact > 0.0 || met.touching < static_cast<double>(count)) {
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
                     well.creep(k);
@@ -566,7 +622,7 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
                 faults += done.faults;
             }
         }
-        return {ordered_sum(outflow, count), impacts, slips, leavers, faults};
+        return {ordered_sum(outflow, count), met.impacts, slips, met.leavers, faults};
     }
 }
 

@@ -96,8 +96,9 @@ double helix_penetration(const Scene& scene, const std::vector<NodeContact>& con
         const double below = tension[std::min(k, tension.size() - 1)];
         const double compression = -0.5 * (above + below);
         if (compression <= 0) continue;
-        const double q = compression * compression /
-                         (4 * scene.mesh.node[k].bending_stiffness * scene.normal_stiffness[k]);
+        const double stiffness = contacts[k].firmness * scene.normal_stiffness[k];
+        const double q =
+            compression * compression / (4 * scene.mesh.node[k].bending_stiffness * stiffness);
         const double clearances = q < most / (1 + most) ? q / (1 - q) : most;
         deepest = std::max(deepest, clearances * contacts[k].clearance);
     }

@@ -103,9 +103,12 @@ StepBound dormand_prince_bound(const Scene& scene) {
         offer_strand(tightest, scene, node);
         if (!scene.features.well) continue;
         const double mass = scene.lateral_mass[node];
-        tightest.offer(std::sqrt(scene.normal_stiffness[node] / mass), dormand_prince_oscillation,
-                       "contact springs");
-        tightest.offer(scene.normal_damping[node] / mass, dormand_prince_decay, "contact dashpots");
+        const double firmness = scene.well->largest_firmness();
+        const double firmer_damping = scene.contact.restitution ? std::sqrt(firmness) : 1.0;
+        tightest.offer(std::sqrt(firmness * scene.normal_stiffness[node] / mass),
+                       dormand_prince_oscillation, "contact springs");
+        tightest.offer(firmer_damping * scene.normal_damping[node] / mass, dormand_prince_decay,
+                       "contact dashpots");
         tightest.offer(std::sqrt(scene.contact.tangential_stiffness / scene.mesh.node[node].mass),
                        leapfrog_oscillation, "friction springs");
     }

@@ -290,12 +290,17 @@ DRILLSTRAND_KERNEL void chain_segments_of_block(const double (*step)[block_size]
     }
 }
 
+/// What surrounds the nodes, as far as a kernel has to know.
+enum class Around { nothing, wall, mud };
+
 /// Nodes of one block. Features are known at compile time: what is off is not compiled in.
-template <bool in_well, bool with_drag, bool heavy, bool with_damping>
+template <Around around, bool heavy, bool with_damping, bool varied_wall>
 DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<StrandRow>& state,
                                          Table<StrandRow>& rate, const Table<Work>& work,
                                          const Pose& start, Table<WallRow>& wall,
                                          std::size_t block) {
+    constexpr bool in_well = around != Around::nothing;
+    constexpr bool with_drag = around == Around::mud;
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(block * block_size);
     const StrandIn in(state, first);
     const StrandOut out(rate, first);
@@ -324,15 +329,15 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
     const Triple down = {down_in_block.x(), down_in_block.y(), down_in_block.z()};
     const Triple origin = {start.position.x(), start.position.y(), start.position.z()};
 
-    const SurroundingsParameters& around = model.surroundings.parameters();
+    const SurroundingsParameters& parameters = model.surroundings.parameters();
     const WallRows around_node = in_well ? WallRows(model.surroundings, wall, first) : WallRows();
-    const FrictionParameters friction = around.friction;
-    const double cone = friction.cone();
-    const double least_normal = around.least_normal;
-    const double viscosity = around.viscosity;
-    const double film = around.film;
-    const double wet_in_contact = around.contact_drag ? 1.0 : 0.0;
-    const double eccentric_axial = around.eccentric_axial_drag ? 1.0 : 0.0;
+    const FrictionParameters shared_friction = parameters.friction;
+    const double cone = shared_friction.cone();
+    const double least_normal = parameters.least_normal;
+    const double viscosity = parameters.viscosity;
+    const double film = parameters.film;
+    const double wet_in_contact = parameters.contact_drag ? 1.0 : 0.0;
+    const double eccentric_axial = parameters.eccentric_axial_drag ? 1.0 : 0.0;
 
     const auto node = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         double power = 0.0;
@@ -391,9 +396,16 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             const double v_t = dot(v, t);
             const double w_l = dot(w, l);
 
+            // where the wall varies its normal leans: it also pushes to where the hole is wide and
+            // the wall soft
+            WallRows::Slopes slopes = {0.0, 0.0};
+            if constexpr (varied_wall) slopes = around_node.vary(k, frame);
+            const FrictionParameters friction =
+                varied_wall ? around_node.friction(k, shared_friction) : shared_friction;
             const double dr =
                 penetration(frame.eccentricity, around_node.hole[k], around_node.pipe[k]);
-            const double normal = normal_force(dr, v_r, around_node.stiffness[k],
+            const double approach = varied_wall ? v_r + slopes.hole * v_l : v_r;
+            const double normal = normal_force(dr, approach, around_node.stiffness[k],
                                                around_node.dashpot[k], least_normal);
             const FrictionSpring spring = around_node.spring(k);
             const Tangential held = friction_force(spring, normal, friction);
@@ -410,6 +422,10 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             double f_l = rub.axial;
             double f_t = rub.azimuthal;
             double c_l = around_node.pipe[k] * rub.azimuthal;
+            if constexpr (varied_wall) {
+                const double depth = dr > 0.0 ? dr : 0.0;
+                f_l += slopes.hole * normal - 0.5 * slopes.stiffness * depth * depth;
+            }
             if constexpr (with_drag) {
                 DragCoefficients drag =
                     drag_coefficients(around_node.annulus(k, frame.eccentricity, film));
@@ -486,17 +502,23 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
 using NodeKernel = double (*)(const StrandModel&, const Table<StrandRow>&, Table<StrandRow>&,
                               const Table<Work>&, const Pose&, Table<WallRow>&, std::size_t);
 
+template <Around around, bool heavy, bool with_damping>
+NodeKernel node_kernel_around(const StrandModel& model) {
+    return model.features.varied_wall
+               ? at_level<nodes_of_block<around, heavy, with_damping, true>>(model.level)
+               : at_level<nodes_of_block<around, heavy, with_damping, false>>(model.level);
+}
+
 template <bool heavy, bool with_damping>
 NodeKernel node_kernel_in_well(const StrandModel& model) {
-    return model.features.drag
-               ? at_level<nodes_of_block<true, true, heavy, with_damping>>(model.level)
-               : at_level<nodes_of_block<true, false, heavy, with_damping>>(model.level);
+    return model.features.drag ? node_kernel_around<Around::mud, heavy, with_damping>(model)
+                               : node_kernel_around<Around::wall, heavy, with_damping>(model);
 }
 
 template <bool with_damping>
 NodeKernel node_kernel_damped(const StrandModel& model) {
     if (!model.features.well)
-        return at_level<nodes_of_block<false, false, false, with_damping>>(model.level);
+        return at_level<nodes_of_block<Around::nothing, false, with_damping, false>>(model.level);
     return model.features.fluid_mass ? node_kernel_in_well<true, with_damping>(model)
                                      : node_kernel_in_well<false, with_damping>(model);
 }

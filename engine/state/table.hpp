@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 
@@ -81,11 +82,12 @@ class Table {
         return {lines_.row(i) + first, lines_.row(i + 1) + first, lines_.row(i + 2) + first};
     }
 
-    [[nodiscard]] Eigen::Vector3d vector(Row row, std::ptrdiff_t entry) const {
-        return drillstrand::vector(triples(row, entry)[0]);
+    /// The entry is a count of any kind: kernels count with signs, models without.
+    [[nodiscard]] Eigen::Vector3d vector(Row row, std::integral auto entry) const {
+        return drillstrand::vector(triples(row, static_cast<std::ptrdiff_t>(entry))[0]);
     }
-    void set(Row row, std::ptrdiff_t entry, const Eigen::Vector3d& value) {
-        triples(row, entry).set(0, triple(value));
+    void set(Row row, std::integral auto entry, const Eigen::Vector3d& value) {
+        triples(row, static_cast<std::ptrdiff_t>(entry)).set(0, triple(value));
     }
 
     /// Sets every entry of a row, padding included.

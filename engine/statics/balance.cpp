@@ -12,7 +12,7 @@ namespace drillstrand {
 using Eigen::Vector3d;
 
 Balance::Balance(const Scene& scene, const LoadCase& loads)
-    : scene_(scene), head_(scene), bit_(scene) {
+    : scene_(scene), head_(scene), bit_(scene), loads_(loads) {
     if (scene.well) {
         const Well& well = *scene.well;
         std::size_t guess = well.arc_at(well.measured_depth_start());
@@ -21,17 +21,14 @@ Balance::Balance(const Scene& scene, const LoadCase& loads)
             arc_.push_back(guess);
         }
     }
-    set_loads(loads);
 }
 
-void Balance::set_loads(const LoadCase& loads) {
-    loads_ = loads;
-    friction_.clear();
-    for (const SectionProperties& node : scene_.mesh.node) {
-        const FrictionShares full =
-            friction_shares(scene_.contact, loads.motion, node.outer_radius);
-        friction_.push_back({loads.friction * full.axial, loads.friction * full.azimuthal});
-    }
+/// What rubs at a node, in the section of the well that it is in.
+FrictionShares Balance::friction(std::size_t node, const WellArc& arc) const {
+    if (!held_friction_.empty() || loads_.friction == 0) return {};
+    const FrictionShares full = friction_shares(scene_.section_friction[arc.section].slide,
+                                                loads_.motion, scene_.mesh.node[node].outer_radius);
+    return {loads_.friction * full.axial, loads_.friction * full.azimuthal};
 }
 
 RodSegment Balance::segment(const RodState& state, std::size_t k) const {
@@ -46,12 +43,15 @@ const WellArc* Balance::arc(std::size_t node, const Vector3d& position) {
 }
 
 WallSite Balance::site(const RodState& state, std::size_t node) {
-    return {arc(node, state.position[node]),
+    const WellArc* around = arc(node, state.position[node]);
+    const double cell = scene_.mesh.cell[node];
+    return {around,
             state.position[node],
             state.director[node],
             scene_.mesh.node[node].outer_radius,
-            std::min(scene_.normal_stiffness[node], loads_.stiffest_wall) * scene_.mesh.cell[node],
-            held_friction_.empty() ? friction_[node] : FrictionShares{}};
+            scene_.normal_stiffness[node] * cell,
+            loads_.stiffest_wall * cell,
+            friction(node, *around)};
 }
 
 BitLoad Balance::bit(const RodState& state) {
@@ -110,7 +110,8 @@ void Balance::add_rounding(const RodState& state, std::size_t segment, double pu
     if (segment > 0) add(segment, 0);
     double wall = 0;
     if (scene_.well)
-        wall = std::min(scene_.normal_stiffness[node], loads_.stiffest_wall) *
+        wall = std::min(scene_.well->arcs()[arc_[node]].firmness * scene_.normal_stiffness[node],
+                        loads_.stiffest_wall) *
                scene_.mesh.cell[node] * position;
     add(node, wall);
 }

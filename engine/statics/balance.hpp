@@ -61,7 +61,7 @@ class Balance {
 
     [[nodiscard]] const LoadCase& loads() const { return loads_; }
     [[nodiscard]] RodSegment segment(const RodState& state, std::size_t k) const;
-    void set_loads(const LoadCase& loads);
+    void set_loads(const LoadCase& loads) { loads_ = loads; }
 
     /// From now on friction is what it is at this state, as dead forces, until it is set free.
     void hold_friction(const RodState& state);
@@ -82,6 +82,7 @@ class Balance {
 
   private:
     [[nodiscard]] const WellArc* arc(std::size_t node, const Eigen::Vector3d& position);
+    [[nodiscard]] FrictionShares friction(std::size_t node, const WellArc& arc) const;
     [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
     void add_rounding(const RodState& state, std::size_t segment, double pull,
                       Imbalance& sum) const;
@@ -90,9 +91,8 @@ class Balance {
     Head head_;
     Bit bit_;
     LoadCase loads_;
-    std::vector<FrictionShares> friction_;  ///< per node
-    std::vector<Vector6> held_friction_;    ///< per node (N, N m); empty: as the state has it
-    std::vector<std::size_t> arc_;          ///< per node, where it was last
+    std::vector<Vector6> held_friction_;  ///< per node (N, N m); empty: as the state has it
+    std::vector<std::size_t> arc_;        ///< per node, where it was last
 };
 
 }  // namespace drillstrand

@@ -80,6 +80,7 @@ void EquilibriumSearch::settle_in_well() {
 /// soft that a string which weighs next to nothing leaves the well by its own stiffness.
 std::vector<double> EquilibriumSearch::wall_stiffnesses() const {
     const double stiff =
+        scene_.well->largest_firmness() *
         *std::max_element(scene_.normal_stiffness.begin(), scene_.normal_stiffness.end());
     double soft = 1e-4 * stiff;
     for (std::size_t k = 1; k < scene_.weight.size(); ++k)

@@ -71,8 +71,10 @@ Piece piece_at(const SoftString& string, const Well& well, double depth) {
     const auto stretch =
         std::find_if(string.stretches.begin(), string.stretches.end() - 1,
                      [&](const SoftStretch& candidate) { return depth < candidate.to; });
-    return {*stretch, well.arcs()[well.arc_at(depth)],
-            friction_shares(string.contact, string.motion, stretch->radius), string.down};
+    const WellArc& arc = well.arcs()[well.arc_at(depth)];
+    return {*stretch, arc,
+            friction_shares(string.friction[arc.section], string.motion, stretch->radius),
+            string.down};
 }
 
 }  // namespace

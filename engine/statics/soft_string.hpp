@@ -26,8 +26,8 @@ struct SoftLoad {
 };
 
 struct SoftString {
-    std::vector<SoftStretch> stretches;  ///< head to bit, without gaps
-    ContactCase contact;                 ///< its dynamic friction
+    std::vector<SoftStretch> stretches;          ///< head to bit, without gaps
+    std::vector<FrictionCoefficients> friction;  ///< dynamic, of each section of the well
     SteadyMotion motion;
     SoftLoad at_bit;
     Eigen::Vector3d down{0, 0, 1};  ///< direction of gravity

@@ -51,14 +51,14 @@ struct Answer {
     std::optional<std::string> failure;
 };
 
-void check_fit(const Case& input, const Component& pipe, const WellArc& arc, double depth) {
+void check_fit(const Case& input, const Component& pipe, double hole_radius, double depth) {
     const double widest = 2 * touching_radius(pipe);
-    if (widest <= 2 * arc.radius + input.contact.interference) return;
+    if (widest <= 2 * hole_radius + input.contact.interference) return;
     throw InputError({input.path.string()},
                      fmt::format("a pipe of {:.9g} m comes to a measured depth of {:.9g} m, where "
                                  "the hole has {:.9g} m; give torque_drag.depths at which the "
                                  "string fits",
-                                 widest, depth, 2 * arc.radius));
+                                 widest, depth, 2 * hole_radius));
 }
 
 Site site_at(const Case& input, const Scene& scene, double s) {
@@ -67,7 +67,8 @@ Site site_at(const Case& input, const Scene& scene, double s) {
     const Well& well = *scene.well;
     const double depth = well.measured_depth_start() + s;
     const WellArc& arc = well.arcs()[well.arc_at(depth)];
-    check_fit(input, pipe, arc, depth);
+    const double hole_radius = well.at(depth).radius;
+    check_fit(input, pipe, hole_radius, depth);
     const ArcSection axis = arc_section(arc, depth);
     const double second_moment =
         std::numbers::pi / 64 *
@@ -80,7 +81,7 @@ Site site_at(const Case& input, const Scene& scene, double s) {
     site.limits = buckling_limits(
         {.bending_stiffness = section.bending_stiffness,
          .weight = buoyed_weight(section, input.fluid, input.gravity),
-         .clearance = std::max(arc.radius - touching_radius(pipe), 0.01 * arc.radius),
+         .clearance = std::max(hole_radius - touching_radius(pipe), 0.01 * hole_radius),
          .direction = axis.direction,
          .curvature = axis.curvature,
          .down = scene.down});

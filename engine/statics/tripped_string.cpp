@@ -75,6 +75,8 @@ Case case_at_depth(const Case& input, double bit_depth) {
     if (const auto& friction = input.torque_drag.friction) {
         result.contact.static_friction = *friction;
         result.contact.dynamic_friction = *friction;
+        for (WellSectionCase& section : result.well->sections)
+            section.static_friction = section.dynamic_friction = *friction;
     }
     return result;
 }
@@ -106,7 +108,8 @@ SoftString soft_string(const Case& at_depth, const Scene& scene,
             {depth, depth + component.length, weight, touching_radius(component)});
         depth += component.length;
     }
-    result.contact = scene.contact;
+    for (const SectionFriction& section : scene.section_friction)
+        result.friction.push_back(section.slide);
     result.motion = options.motion;
     result.at_bit = load_at_bit(scene, depth, options);
     result.down = scene.down;

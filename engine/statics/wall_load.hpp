@@ -19,7 +19,7 @@ struct FrictionShares {
 
 /// Friction of a surface of this radius (m) that moves steadily: on the cone of the dynamic
 /// coefficients, against the velocity of the surface.
-FrictionShares friction_shares(const ContactCase& contact, const SteadyMotion& motion,
+FrictionShares friction_shares(const FrictionCoefficients& dynamic, const SteadyMotion& motion,
                                double radius);
 
 /// A node at the wall.
@@ -28,7 +28,8 @@ struct WallSite {
     Eigen::Vector3d position;  ///< m
     Eigen::Vector3d director;
     double pipe_radius;  ///< m
-    double stiffness;    ///< k_el times the cell (N/m)
+    double stiffness;    ///< k_el of a wall of firmness 1 times the cell (N/m)
+    double stiffest;     ///< bound of the wall's stiffness times the cell (N/m)
     FrictionShares friction;
 };
 

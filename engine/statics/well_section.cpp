@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "forces/well_frame.hpp"
-
 namespace drillstrand {
 
 WellSection well_section(const Eigen::Vector3d& point, const WellArc& arc) {
@@ -12,9 +10,13 @@ WellSection well_section(const Eigen::Vector3d& point, const WellArc& arc) {
         {triple(arc.start), triple(arc.tangent), triple(arc.normal), arc.curvature, arc.radius});
     const double a_c = frame.along * arc.curvature;
     const double rho = std::hypot(a_c, frame.toward);
-    return {vector(frame.r),     vector(frame.l),
-            vector(frame.t),     (frame.toward * arc.normal - a_c * arc.tangent) / rho,
-            arc.curvature / rho, frame.eccentricity};
+    return {frame,
+            vector(frame.r),
+            vector(frame.l),
+            vector(frame.t),
+            (frame.toward * arc.normal - a_c * arc.tangent) / rho,
+            arc.curvature / rho,
+            frame.eccentricity};
 }
 
 }  // namespace drillstrand

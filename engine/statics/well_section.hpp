@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 
 #include "drillstrand/well.hpp"
+#include "forces/well_frame.hpp"
 
 namespace drillstrand {
 
 struct WellSection {
+    WellFrame frame;
     Eigen::Vector3d r, l, t;  ///< as in WellFrame (engine/forces/well_frame.hpp)
     Eigen::Vector3d inward;   ///< unit, toward the centre of the bend
     double turning;           ///< turn of the section per displacement along l (1/m)

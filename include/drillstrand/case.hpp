@@ -23,10 +23,22 @@ struct SurveyStation {
     double azimuth = 0;         ///< rad clockwise from north
 };
 
-/// A stretch of well of one diameter.
+/// Friction coefficients along the well and around it.
+struct FrictionCoefficients {
+    double axial = 0;
+    double azimuthal = 0;
+};
+
+/// A stretch of well of one kind: a casing, or the hole of one bit. What it leaves open is as the
+/// contact of the case has it.
 struct WellSectionCase {
-    double to = 0;        ///< measured depth of its end (m)
-    double diameter = 0;  ///< m
+    double to = 0;                            ///< measured depth of its end (m)
+    double diameter = 0;                      ///< at its start (m)
+    std::optional<double> end_diameter = {};  ///< where it varies, linearly (m)
+    std::string name = {};
+    std::optional<FrictionCoefficients> static_friction = {};
+    std::optional<FrictionCoefficients> dynamic_friction = {};
+    std::optional<double> normal_stiffness = {};  ///< Pa, per length
 };
 
 struct WellCase {
@@ -152,12 +164,6 @@ struct BitCase {
 };
 
 enum class FrictionLaw { coulomb, paper };
-
-/// Friction coefficients along the well and around it.
-struct FrictionCoefficients {
-    double axial = 0;
-    double azimuthal = 0;
-};
 
 struct ContactCase {
     double normal_stiffness = 1e7;      ///< Pa, per length

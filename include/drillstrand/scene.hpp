@@ -25,6 +25,7 @@ struct SceneFeatures {
     bool drag = false;           ///< annular fluid drag
     bool inertial_flow = false;  ///< of which the fluid's inertia is part
     bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
+    bool varied_wall = false;    ///< friction, firmness or diameter of the wall vary along the well
     Damping damping = Damping::none;
     bool curved = false;  ///< a stress-free shape that is not straight
 };
@@ -35,6 +36,12 @@ struct InitialNodes {
     std::vector<Eigen::Vector3d> position;  ///< N+1 (m)
     std::vector<Eigen::Vector3d> director;  ///< N+1, d3
     std::vector<double> twist;              ///< N (1/m)
+};
+
+/// Friction coefficients of a section of the well.
+struct SectionFriction {
+    FrictionCoefficients fixed;  ///< static
+    FrictionCoefficients slide;  ///< dynamic
 };
 
 struct Scene {
@@ -49,14 +56,17 @@ struct Scene {
     std::vector<double> inertia;
     std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
-    /// with the wall that it touches besides. Empty without a well.
+    /// with the wall that it touches besides. Those of [contact]: where the well is firmer, by
+    /// WellArc::firmness, the stiffness is larger by that factor, and so is a dashpot that follows
+    /// from a restitution by its root. Empty without a well.
     std::vector<double> normal_stiffness;
     std::vector<double> normal_damping;
     SceneFeatures features;
     std::optional<Well> well;
     std::optional<FluidCase> fluid;
     ContactCase contact;
-    double side_force_window = 0;  ///< m
+    std::vector<SectionFriction> section_friction;  ///< of each section of the well
+    double side_force_window = 0;                   ///< m
     DampingCase damping;
     HeadCase head;
     BitCase bit;

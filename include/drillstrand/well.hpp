@@ -10,7 +10,8 @@
 
 namespace drillstrand {
 
-/// A stretch of well of constant curvature and radius. Straight where curvature = 0.
+/// A stretch of well of constant curvature, in one section. Straight where curvature = 0. Radius
+/// and firmness of the wall are linear in sin(c s)/c, s the distance from the start.
 struct WellArc {
     Eigen::Vector3d start;            ///< first point of the axis (m, north-east-down)
     Eigen::Vector3d tangent;          ///< unit, down the well, at the start
@@ -18,9 +19,16 @@ struct WellArc {
     double curvature = 0;             ///< 1/m
     double length = 0;                ///< m
     double measured_depth_start = 0;  ///< m
-    double radius = 0;                ///< of the hole (m)
-    Eigen::Vector3d end;              ///< last point of the axis
-    Eigen::Vector3d end_tangent;      ///< unit tangent there
+    double radius = 0;                ///< of the hole, at the start (m)
+    double widening = 0;              ///< growth of the radius (1)
+    double firmness = 1;              ///< normal stiffness over that of [contact], at the start
+    double firming = 0;               ///< its growth (1/m)
+    std::size_t section = 0;
+    Eigen::Vector3d end;          ///< last point of the axis
+    Eigen::Vector3d end_tangent;  ///< unit tangent there
+
+    /// Radius of the hole at a distance from the start (m).
+    [[nodiscard]] double radius_at(double distance) const;
 };
 
 /// The cross section of the well in whose plane a point lies.
@@ -33,11 +41,17 @@ struct WellCrossSection {
 
 class Well {
   public:
-    /// Arcs through the stations, the first at the origin, cut where the diameter changes. Throws
+    /// Arcs through the stations, the first at the origin, cut where the sections do and where
+    /// their diameters go over into each other (engine/model/README.md, "Sections").
+    /// `normal_stiffness` is that of walls whose section has none of its own. Throws
     /// std::invalid_argument where the survey bends on a radius below the hole's, or turns back.
-    explicit Well(const WellCase& well);
+    explicit Well(const WellCase& well, double normal_stiffness = ContactCase{}.normal_stiffness);
 
     [[nodiscard]] const std::vector<WellArc>& arcs() const { return arcs_; }
+    /// Whether diameter or firmness of the wall vary within an arc.
+    [[nodiscard]] bool varies_along() const;
+    /// Of the firmest wall.
+    [[nodiscard]] double largest_firmness() const;
     /// Measured depths of the first and the last station (m).
     [[nodiscard]] double measured_depth_start() const { return measured_depth_start_; }
     [[nodiscard]] double measured_depth_end() const { return measured_depth_end_; }

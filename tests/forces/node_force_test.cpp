@@ -13,6 +13,7 @@
 #include "rod/report.hpp"
 #include "rod/strand.hpp"
 #include "support/annular_flow.hpp"
+#include "support/plain_wall.hpp"
 
 namespace drillstrand {
 namespace {
@@ -28,7 +29,7 @@ Case rubbing_string(const ContactCase& contact, std::optional<FluidCase> fluid) 
         const double depth = 10.0 * i;
         well.survey.push_back({depth, 0.3 + 0.05 * i * (i % 3), 0.4 - 0.03 * i});
     }
-    well.sections = {{35, 0.24}, {1e4, 0.21}};
+    well.sections = {{35.3, 0.24}, {1e4, 0.21}};  // no node in the shoulder
     input.well = well;
     input.fluid = std::move(fluid);
     Component pipe;
@@ -150,7 +151,8 @@ Surface plain_surroundings(const Scene& scene, std::size_t node, const Vector3d&
                            const Vector3d& velocity, const Vector3d& spin,
                            const FrictionSpring& spring) {
     Surface result;
-    const WellCrossSection section = scene.well->project(x, scene.well->find_arc(x, 0));
+    const test::PlainWall wall = test::plain_wall(scene, x);
+    const WellCrossSection& section = wall.section;
     const double pipe = scene.mesh.node[node].outer_radius;
     const double hole = section.radius;
     const double eccentricity = (section.axis - x).norm();
@@ -160,11 +162,13 @@ Surface plain_surroundings(const Scene& scene, std::size_t node, const Vector3d&
     const double depth = eccentricity + pipe - hole;
     if (depth > 0) {
         result.touches = true;
-        double normal =
-            scene.normal_stiffness[node] * depth - scene.normal_damping[node] * velocity.dot(r);
+        const Vector3d inward = r + wall.lean * l;
+        double normal = wall.firmness * scene.normal_stiffness[node] * depth -
+                        wall.damping * scene.normal_damping[node] * velocity.dot(inward);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
-        const Vector3d rub = plain_friction(scene.contact, spring, normal, l, t);
-        result.force = normal * r + rub;
+        const Vector3d rub = plain_friction(test::contact_at(scene, wall), spring, normal, l, t);
+        result.force = normal * inward + rub -
+                       0.5 * wall.firming * scene.normal_stiffness[node] * depth * depth * l;
         result.couple = pipe * rub.dot(t) * l;
     }
     if (!scene.fluid) return result;
@@ -363,6 +367,33 @@ FluidCase papers_mud() {
 
 TEST(NodeForce, OfADryWellIsThatOfPlainCode) {
     expect_equal_rates(rubbing_string(wall(), std::nullopt));
+}
+
+/// Casing that narrows, and an open hole of another wall.
+WellCase varied_well(WellCase well) {
+    WellSectionCase casing{.to = 33, .diameter = 0.25};
+    casing.end_diameter = 0.22;
+    casing.static_friction = {0.2, 0.4};
+    casing.dynamic_friction = {0.1, 0.3};
+    WellSectionCase open{.to = 1e4, .diameter = 0.21};
+    open.normal_stiffness = 3e6;
+    well.sections = {casing, open};
+    return well;
+}
+
+TEST(NodeForce, OfAWallThatVariesAlongTheWellIsThatOfPlainCode) {
+    for (const bool in_mud : {false, true}) {
+        for (const bool with_restitution : {false, true}) {
+            ContactCase contact = wall();
+            if (with_restitution) contact.restitution = 0.4;
+            Case input = rubbing_string(contact, std::nullopt);
+            if (in_mud) input.fluid = mud();
+            // its coefficients are those of the middle of an arc
+            if (in_mud) input.fluid->regime = FlowRegime::laminar;
+            input.well = varied_well(*input.well);
+            expect_equal_rates(input);
+        }
+    }
 }
 
 TEST(NodeForce, InMudIsThatOfPlainCode) {

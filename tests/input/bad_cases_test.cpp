@@ -379,6 +379,87 @@ TEST(BadCases, MeshesThatFollowTheStringHaveTheirOwnKeys) {
     });
 }
 
+/// A case whose well has these sections, from column 12 of line 5 on.
+Mistake in_sections(const std::string& sections, const std::string& message) {
+    return {"diameter = 0.3111", "section = [" + sections + "]", message};
+}
+
+TEST(BadCases, SectionsOfAWellFollowEachOtherAndHaveWallsThatCanBe) {
+    expect_messages({
+        in_sections("{from = 1, to = 520, diameter = 0.3}",
+                    "case.toml:5:20: well.section.0.from is 1 m; expected at most 0 m, where the "
+                    "survey starts"),
+        in_sections("{to = 100, diameter = 0.3}, {from = 110, to = 520, diameter = 0.3}",
+                    "case.toml:5:48: well.section.1.from is 110 m; expected 100 m, where the "
+                    "section before ends"),
+        in_sections("{to = 520, diameter = [0.3]}",
+                    "case.toml:5:34: well.section.0.diameter has 1 entries; expected a length or "
+                    "[from, to]"),
+        in_sections("{to = 520, diameter = [0.3, -0.3]}",
+                    "case.toml:5:40: well.section.0.diameter.1 is -0.3; expected 1e-6 to 1000 m"),
+        in_sections("{name = 3, to = 520, diameter = 0.3}",
+                    "case.toml:5:20: well.section.0.name is 3; expected a text in quotes"),
+        in_sections("{to = 520, diameter = 0.3, static_friction = -1}",
+                    "case.toml:5:57: well.section.0.static_friction is -1; expected 0 to 1000"),
+        in_sections("{to = 520, diameter = 0.3, static_friction = 0.2, dynamic_friction = 0.3}",
+                    "case.toml:5:81: well.section.0.dynamic_friction is 0.3; expected at most "
+                    "static_friction, 0.2"),
+        in_sections("{to = 520, diameter = 0.3, dynamic_friction = 0.7}",
+                    "case.toml:5:58: well.section.0.dynamic_friction is 0.7; expected at most "
+                    "static_friction, 0.6"),
+        in_sections("{to = 520, diameter = 0.3, normal_stiffness = \"1 m\"}",
+                    "case.toml:5:58: well.section.0.normal_stiffness: m is a length; expected a "
+                    "pressure such as Pa, MPa, GPa, psi"),
+        in_sections("{to = 450, diameter = 0.3}, {to = 520, diameter = [0.3, 0.1]}",
+                    "case.toml:22:18: component 2 (\"collar\") has an outer diameter of 0.2032 m; "
+                    "expected less than 0.157142857 m, the diameter of the well from 450 m to 500 "
+                    "m"),
+    });
+}
+
+/// A case whose well is tortuous.
+Mistake in_tortuosity(const std::string& keys, const std::string& message) {
+    return {"diameter = 0.3111", "diameter = 0.3111\ntortuosity = {" + keys + "}", message};
+}
+
+TEST(BadCases, TortuosityIsOneOfAPlanner) {
+    expect_messages({
+        in_tortuosity("period = 30",
+                      "case.toml:6:14: missing key \"well.tortuosity.amplitude\"; "
+                      "expected an angle such as \"0.5 deg\", or [build, turn]"),
+        in_tortuosity("amplitude = 0.01",
+                      "case.toml:6:14: missing key \"well.tortuosity.period\"; expected a length "
+                      "such as \"100 ft\""),
+        in_tortuosity("amplitude = 1, period = 30",
+                      "case.toml:6:27: well.tortuosity.amplitude is 1; expected 0 to 0.5 rad"),
+        in_tortuosity("amplitude = [0.1, 0.1, 0.1], period = 30",
+                      "case.toml:6:27: well.tortuosity.amplitude has 3 entries; expected an angle "
+                      "or [build, turn]"),
+        in_tortuosity("amplitude = 0.1, period = 0.001",
+                      "case.toml:6:41: well.tortuosity.period is 0.001 m; expected at least 0.0624 "
+                      "m in a survey of 520 m"),
+        in_tortuosity("model = \"cosine\", amplitude = 0.1, period = 30",
+                      "case.toml:6:23: well.tortuosity.model is \"cosine\"; expected \"sine\" or "
+                      "\"helical\" or \"random\""),
+        in_tortuosity(
+            "amplitude = 0.1, period = 30, seed = 3",
+            "case.toml:6:52: well.tortuosity.seed has no effect; expected it with model = "
+            "\"random\""),
+        in_tortuosity("model = \"random\", amplitude = 0.1, period = 30, seed = -3",
+                      "case.toml:6:70: well.tortuosity.seed is -3; expected a whole number from 0 "
+                      "to 1000000000"),
+        in_tortuosity("amplitude = 0.1, period = 30, from = 521",
+                      "case.toml:6:52: well.tortuosity.from is 521 m; expected 0 m to 520 m, in "
+                      "the survey"),
+        in_tortuosity("amplitude = 0.1, period = 30, from = 100, to = 90",
+                      "case.toml:6:62: well.tortuosity.to is 90 m; expected 100 m to 520 m, in the "
+                      "survey"),
+        in_tortuosity("amplitude = 0.1, period = 30, wave = 90",
+                      "case.toml:6:45: unknown key \"well.tortuosity.wave\"; known here: model, "
+                      "amplitude, period, seed, from, to"),
+    });
+}
+
 TEST(BadCases, FluidHasARegimeThatItsKeysFit) {
     expect_messages({
         {"viscosity = 1e-3", "viscosity = 1e-3\nregime = \"turbulent\"",

@@ -123,11 +123,18 @@ gravity = "32 ft/s2"
 [well]
 survey = "survey.csv"
 [[well.section]]
+name = "casing"
+from = 0
 to = "300 m"
 diameter = "17.5 in"
+static_friction = [0.25, 0.2]
+dynamic_friction = 0.2
 [[well.section]]
+from = "300 m"
 to = 520
-diameter = "12 1/4 in"
+diameter = ["12 1/4 in", "12 in"]
+static_friction = 0.1
+normal_stiffness = "2 MPa"
 [fluid]
 density = "10 ppg"
 viscosity = "2 cP"
@@ -227,7 +234,17 @@ side_force_window = "10 ft"
     ASSERT_EQ(input.well->sections.size(), 2U);
     EXPECT_EQ(input.well->sections[0].to, 300);
     EXPECT_DOUBLE_EQ(input.well->sections[0].diameter, 17.5 * 0.0254);
+    EXPECT_EQ(input.well->sections[0].name, "casing");
+    EXPECT_FALSE(input.well->sections[0].end_diameter);
+    EXPECT_EQ(input.well->sections[0].static_friction->azimuthal, 0.2);
+    EXPECT_EQ(input.well->sections[0].dynamic_friction->axial, 0.2);
+    EXPECT_FALSE(input.well->sections[0].normal_stiffness);
     EXPECT_DOUBLE_EQ(input.well->sections[1].diameter, 12.25 * 0.0254);
+    EXPECT_DOUBLE_EQ(*input.well->sections[1].end_diameter, 12 * 0.0254);
+    EXPECT_EQ(input.well->sections[1].name, "");
+    // less than what slides elsewhere
+    EXPECT_EQ(input.well->sections[1].dynamic_friction->axial, 0.1);
+    EXPECT_DOUBLE_EQ(*input.well->sections[1].normal_stiffness, 2e6);
     EXPECT_DOUBLE_EQ(input.fluid->density, 4.5359237 / 0.003785411784);
     EXPECT_DOUBLE_EQ(input.fluid->viscosity, 2e-3);
     EXPECT_EQ(input.fluid->inside, InsideOfPipe::empty);

@@ -21,7 +21,8 @@ const std::vector<std::string> asking{R"(title = "Pipe in a well"
 gravity = 9.8
 [well]
 survey = "survey.csv"
-section = [{to = 300, diameter = 0.4}, {to = 520, diameter = 0.3}]
+section = [{name = "casing", from = 0, to = 300, diameter = 0.4, static_friction = 0.3, dynamic_friction = 0.2}, {to = 520, diameter = [0.35, 0.3], normal_stiffness = 1e6}]
+tortuosity = {model = "random", amplitude = 0.01, period = 30, seed = 2, from = 10, to = 500}
 [fluid]
 density = 1000
 viscosity = 1e-3

@@ -97,7 +97,7 @@ TEST(Well, ProjectionReturnsTheSectionAPointWasMadeIn) {
         EXPECT_NEAR(foot.measured_depth, made_at, rounding);
         EXPECT_LT((foot.axis - section.axis).norm(), rounding);
         EXPECT_LT((foot.direction - section.direction).norm(), 1e-12);
-        EXPECT_EQ(foot.radius, section.radius);
+        EXPECT_NEAR(foot.radius, section.radius, rounding);
     }
 }
 
@@ -191,16 +191,20 @@ TEST(Well, DiameterChangesWhereTheSectionsSaySo) {
     const Well well(input);
     EXPECT_EQ(well.at(-10).radius, 0.20);
     EXPECT_EQ(well.at(199.999).radius, 0.20);
-    EXPECT_EQ(well.at(200.001).radius, 0.155);
+    EXPECT_EQ(well.at(200.401).radius, 0.155);
     EXPECT_EQ(well.at(349.999).radius, 0.155);
-    EXPECT_EQ(well.at(350.001).radius, 0.11);
+    EXPECT_EQ(well.at(350.311).radius, 0.11);
     EXPECT_EQ(well.at(1e5).radius, 0.11);
+
+    // over one diameter of the wider, in the narrower
+    EXPECT_NEAR(well.at(200.1).radius, 0.20 - 0.25 * 0.045, 1e-6);
+    EXPECT_NEAR(well.at(200.3).radius, 0.20 - 0.75 * 0.045, 1e-6);
 
     // The cuts leave the axis where it was.
     WellCase uncut = input;
     uncut.sections = {{1e4, 0.3}};
     const Well plain(uncut);
-    EXPECT_EQ(well.arcs().size(), plain.arcs().size() + 2);
+    EXPECT_EQ(well.arcs().size(), plain.arcs().size() + 4);
     for (double depth = -20; depth < well.measured_depth_end() + 20; depth += 1.7) {
         EXPECT_LT((well.at(depth).axis - plain.at(depth).axis).norm(), rounding);
         EXPECT_LT((well.at(depth).direction - plain.at(depth).direction).norm(), 1e-12);
@@ -210,14 +214,65 @@ TEST(Well, DiameterChangesWhereTheSectionsSaySo) {
 TEST(Well, SectionsMayEndAtAStationAboveTheFirstOrBelowTheLast) {
     const std::vector<SurveyStation> survey{{100, 0, 0}, {200, 0.1, 0}, {300, 0.2, 0}};
     const Well at_station(WellCase{survey, {{200, 0.4}, {300, 0.3}}});
-    EXPECT_EQ(at_station.arcs().size(), 4U);  // nothing to cut
+    EXPECT_EQ(at_station.arcs().size(), 5U);  // nothing to cut but the end of the shoulder
     EXPECT_EQ(at_station.at(199.9).radius, 0.2);
-    EXPECT_EQ(at_station.at(200.1).radius, 0.15);
+    EXPECT_EQ(at_station.at(200.41).radius, 0.15);
     const Well outside(WellCase{survey, {{50, 0.5}, {400, 0.4}, {500, 0.3}}});
-    EXPECT_EQ(outside.arcs().size(), 6U);
+    EXPECT_EQ(outside.arcs().size(), 8U);
     EXPECT_EQ(outside.at(49).radius, 0.25);
     EXPECT_EQ(outside.at(150).radius, 0.2);
     EXPECT_EQ(outside.at(401).radius, 0.15);
+}
+
+TEST(Well, WideningHoleGoesOverInTheNarrowerOneToo) {
+    const Well well(WellCase{{{0, 0, 0}, {300, 0, 0}}, {{100, 0.2}, {300, 0.3}}});
+    EXPECT_EQ(well.at(99.6).radius, 0.1);
+    EXPECT_NEAR(well.at(99.85).radius, 0.125, 1e-12);
+    EXPECT_NEAR(well.at(99.9999).radius, 0.15, 1e-4);
+    EXPECT_EQ(well.at(100.0001).radius, 0.15);
+}
+
+TEST(Well, ShouldersTakeHalfOfASectionAtMost) {
+    const Well well(WellCase{{{0, 0, 0}, {300, 0, 0}}, {{100, 0.4}, {100.2, 0.2}, {300, 0.4}}});
+    EXPECT_NEAR(well.at(100.05).radius, 0.15, 1e-12);
+    EXPECT_NEAR(well.at(100.1).radius, 0.1, 1e-12);
+    EXPECT_NEAR(well.at(100.15).radius, 0.15, 1e-12);
+}
+
+// Linear in sin(c s)/c of each arc: exact at stations, and near it between them.
+TEST(Well, DiameterVariesLinearlyBetweenTwoDepths) {
+    WellCase input{{{0, 0, 0}, {30, 0.1, 0}, {60, 0.2, 0.1}, {300, 1.4, 0.1}}, {{20, 0.3}}};
+    WellSectionCase narrowing{.to = 280, .diameter = 0.3};
+    narrowing.end_diameter = 0.2;
+    input.sections.push_back(narrowing);
+    const Well well(input);
+    EXPECT_TRUE(well.varies_along());
+    EXPECT_EQ(well.at(10).radius, 0.15);
+    for (const double depth : {30.0, 60.0})
+        EXPECT_NEAR(well.at(depth).radius, 0.15 - 0.05 * (depth - 20) / 260, 1e-12);
+    for (double depth = 20; depth < 280; depth += 3.1)
+        EXPECT_NEAR(well.at(depth).radius, 0.15 - 0.05 * (depth - 20) / 260, 2e-5);
+    EXPECT_NEAR(well.at(290).radius, 0.1, 1e-12);
+    for (const WellArc& arc : well.arcs())
+        if (arc.measured_depth_start > 0 && arc.length < 1e4) {
+            EXPECT_NEAR(well.at(arc.measured_depth_start).radius,
+                        well.at(arc.measured_depth_start - 1e-9).radius, 1e-10);
+        }
+}
+
+TEST(Well, WallGoesOverFromOneStiffnessToTheNext) {
+    WellCase input{{{0, 0, 0}, {300, 0, 0}}, {{100, 0.2}}};
+    WellSectionCase firm{.to = 300, .diameter = 0.2};
+    firm.normal_stiffness = 3e7;
+    input.sections.push_back(firm);
+    const Well well(input, 1e7);
+    EXPECT_EQ(well.largest_firmness(), 3);
+    const WellArc& shoulder = well.arcs()[well.arc_at(100.1)];
+    EXPECT_EQ(shoulder.section, 1U);
+    EXPECT_EQ(shoulder.firmness, 1);
+    EXPECT_NEAR(shoulder.firming * 0.2, 2, 1e-9);
+    EXPECT_EQ(well.arcs()[well.arc_at(101)].firmness, 3);
+    EXPECT_FALSE(Well({input.survey, {{300, 0.2}}}).varies_along());
 }
 
 TEST(Well, GoesOnStraightAboveTheStartAndBelowTheEnd) {

@@ -64,6 +64,13 @@ class MadeUpRun {
         for (int k = 0; k < 3; ++k)
             well.survey.push_back({100.0 * k, angle(), angle()});
         well.sections = {{100 + angle(), 0.3 + angle() / 10}, {200 + angle(), 0.2 + angle() / 10}};
+        for (WellSectionCase& section : well.sections) {
+            section.name = section.to < 150 ? "casing" : "";
+            section.end_diameter = section.diameter + 0.01;
+            section.static_friction = {angle(), angle()};
+            section.dynamic_friction = {angle(), angle()};
+            section.normal_stiffness = 1e6 + angle();
+        }
         return well;
     }
 
@@ -91,6 +98,22 @@ class MadeUpRun {
     std::size_t segments_;
     std::mt19937 random_;
 };
+
+/// Expects the same walls of two wells.
+inline void expect_same_walls(const WellCase& left, const WellCase& right) {
+    ASSERT_EQ(left.sections.size(), right.sections.size());
+    for (std::size_t k = 0; k < left.sections.size(); ++k) {
+        const WellSectionCase& a = left.sections[k];
+        const WellSectionCase& b = right.sections[k];
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.end_diameter, b.end_diameter);
+        EXPECT_EQ(a.static_friction->axial, b.static_friction->axial);
+        EXPECT_EQ(a.static_friction->azimuthal, b.static_friction->azimuthal);
+        EXPECT_EQ(a.dynamic_friction->axial, b.dynamic_friction->axial);
+        EXPECT_EQ(a.dynamic_friction->azimuthal, b.dynamic_friction->azimuthal);
+        EXPECT_EQ(a.normal_stiffness, b.normal_stiffness);
+    }
+}
 
 /// Expects the same bits in every dataset of two records.
 template <class Record>

@@ -67,6 +67,7 @@ TEST(ResultFile, EveryDatasetComesBackBitForBit) {
     ASSERT_TRUE(result.header.well);
     for (const auto& entry : well_datasets())
         EXPECT_EQ(entry.values(*result.header.well), entry.values(*header.well)) << entry.path;
+    expect_same_walls(*result.header.well, *header.well);
     ASSERT_EQ(result.series.size(), series.size());
     for (std::size_t k = 0; k < series.size(); ++k)
         expect_same_bits(series[k], result.series[k], series_datasets());

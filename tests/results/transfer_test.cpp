@@ -63,6 +63,7 @@ TEST(Transfer, EverythingOfARunComesThrough) {
     expect_same_bits(got.header, sent.header, string_datasets());
     for (const auto& entry : well_datasets())
         EXPECT_EQ(entry.values(*got.header.well), entry.values(*sent.header.well)) << entry.path;
+    expect_same_walls(*got.header.well, *sent.header.well);
     ASSERT_EQ(got.series.size(), sent.series.size());
     for (std::size_t k = 0; k < got.series.size(); ++k)
         expect_same_bits(got.series[k], sent.series[k], series_datasets());

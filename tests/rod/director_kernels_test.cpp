@@ -72,10 +72,22 @@ struct Variant {
     bool curved;
     bool well;
     std::string more;
+    bool varied_wall = false;
 };
 
 std::ostream& operator<<(std::ostream& out, const Variant& variant) {
     return out << variant.name;
+}
+
+/// Casing that narrows, and an open hole of another wall.
+std::vector<WellSectionCase> casing_and_open_hole() {
+    WellSectionCase casing{.to = 9, .diameter = 0.33};
+    casing.end_diameter = 0.31;
+    casing.static_friction = {0.3, 0.2};
+    casing.dynamic_friction = {0.2, 0.1};
+    WellSectionCase open{.to = 100, .diameter = 0.32};
+    open.normal_stiffness = 2e6;
+    return {casing, open};
 }
 
 Scene scene_of(const Variant& variant) {
@@ -87,6 +99,7 @@ Scene scene_of(const Variant& variant) {
         WellCase hole;
         hole.survey = {{0, 0.3, 0.4}, {6, 0.35, 0.35}, {14, 0.5, 0.42}, {40, 0.6, 0.5}};
         hole.sections = {{100, 0.32}};
+        if (variant.varied_wall) hole.sections = casing_and_open_hole();
         input.well = hole;
     }
     return build_scene(input);
@@ -293,6 +306,11 @@ INSTANTIATE_TEST_SUITE_P(
             std::string(wall) + "static_friction = [0.2, 0.7]\ndynamic_friction = [0.1, 0.5]\n"},
         Variant{"FrictionAroundAlone", 37, false, true,
                 std::string(wall) + "static_friction = [0, 0.7]\ndynamic_friction = [0, 0.5]\n"},
+        Variant{"VariedWall", 37, false, true, wall, true},
+        Variant{"VariedWallByThePapersLaw", 37, false, true,
+                std::string(wall) + "law = \"paper\"\n", true},
+        Variant{"ImpactsOnAVariedWallInMud", 37, false, true, std::string(impacts) + laminar_mud,
+                true},
         Variant{"Everything", 50, true, true, std::string(wall) + mud + damped},
         Variant{"EverythingByThePapersLaw", 50, true, true,
                 std::string(wall) + "law = \"paper\"\n" + mud + damped}),

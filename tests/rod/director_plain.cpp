@@ -11,6 +11,7 @@
 #include "forces/implicit_contact.hpp"
 #include "forces/surroundings.hpp"
 #include "support/annular_flow.hpp"
+#include "support/plain_wall.hpp"
 
 namespace drillstrand::test {
 
@@ -271,10 +272,9 @@ double normal_of_impact(double e, double pressed, double star, double coming, do
 Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
                   const PlainNode& last, PlainNode& node, Vector3d& v, Vector3d& v_rod,
                   double& spin, StepAccount& account) {
-    const SurroundingsParameters p = surroundings_parameters(scene);
     const Vector3d& position = last.position;
-    const WellCrossSection section =
-        scene.well->project(position, scene.well->find_arc(position, 0));
+    const PlainWall wall = plain_wall(scene, position);
+    const WellCrossSection& section = wall.section;
     const SectionProperties& properties = scene.mesh.node[k];
     const double pipe = properties.outer_radius;
     const double eccentricity = (section.axis - position).norm();
@@ -312,34 +312,44 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
     const Mobility mobility = {kick / sideways, kick / along, kick / turning};
     const double depth = eccentricity + pipe - section.radius;
     if (depth > 0) {
-        // spring and dashpot at the end of the step
-        const double resistance = scene.normal_damping[k] + kick * scene.normal_stiffness[k];
+        // spring and dashpot at the end of the step, on the way that the wall leans
+        const ContactCase contact = contact_at(scene, wall);
+        const FrictionParameters friction = friction_parameters(
+            contact.tangential_stiffness,
+            {contact.static_friction.axial, contact.static_friction.azimuthal},
+            {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal}, contact.law,
+            contact.rolling_creep);
+        const double stiffness = wall.firmness * scene.normal_stiffness[k];
+        const double resistance = wall.damping * scene.normal_damping[k] + kick * stiffness;
+        const double inertia = 1 / (1 / sideways + wall.lean * wall.lean / along);
+        const double inward = u[0] + wall.lean * u[1];
+        const double softer = -0.5 * wall.firming * scene.normal_stiffness[k] * depth * depth;
         // what a straight step needs to stay at its distance from the axis
         const double way = std::min(drift * std::abs(u[2]), eccentricity);
         const double circling = std::abs(u[2]) * way /
                                 (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
-        double normal = (scene.normal_stiffness[k] * depth - resistance * (u[0] - circling)) /
-                        (1 + resistance * kick / sideways);
+        double normal = (stiffness * depth - resistance * (inward - circling)) /
+                        (1 + resistance * kick / inertia);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         if (scene.contact.restitution)
-            normal = normal_of_impact(*scene.contact.restitution, normal, u[0],
-                                      -last.velocity.dot(frame.col(0)), depth, kick, sideways,
-                                      last.depth <= 0, node);
+            normal = normal_of_impact(*scene.contact.restitution, normal,
+                                      inward + wall.lean * kick / along * softer,
+                                      -last.velocity.dot(frame.col(0) + wall.lean * frame.col(1)),
+                                      depth, kick, inertia, last.depth <= 0, node);
+        u += kick * Vector3d(normal / sideways, (wall.lean * normal + softer) / along, 0);
         const WellVelocity star = {u[0], u[1], u[2], spin};
         // the contact goes around the wall as the pipe went around the axis
         const double rolled =
             kick * std::abs(last.velocity.dot(frame.col(2))) / eccentricity * section.radius;
-        const FrictionStep rub =
-            scene.contact.law == FrictionLaw::coulomb
-                ? coulomb_step(node.spring, star, normal, depth, rolled, pipe, kick, mobility,
-                               p.friction)
-                : paper_step(node.spring, star, scene.normal_stiffness[k] * depth, depth, rolled,
-                             pipe, kick, mobility, p.friction);
+        const FrictionStep rub = scene.contact.law == FrictionLaw::coulomb
+                                     ? coulomb_step(node.spring, star, normal, depth, rolled, pipe,
+                                                    kick, mobility, friction)
+                                     : paper_step(node.spring, star, stiffness * depth, depth,
+                                                  rolled, pipe, kick, mobility, friction);
         account.impacts += node.depth <= 0 ? 1 : 0;
         account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
         node.spring = rub.spring;
-        u += kick *
-             Vector3d(normal / sideways, rub.force.axial / along, rub.force.azimuthal / sideways);
+        u += kick * Vector3d(0, rub.force.axial / along, rub.force.azimuthal / sideways);
         spin += kick / turning * pipe * rub.force.azimuthal;
     } else {
         node.spring = {};

@@ -54,12 +54,22 @@ std::string pipe_in_well(const std::string& more) {
            more;
 }
 
+/// A node that begins at 9.6 m goes over the casing shoe soon after the start.
+std::vector<WellSectionCase> casing_and_open_hole() {
+    WellSectionCase casing{.to = 9.6005, .diameter = 0.2};
+    casing.static_friction = casing.dynamic_friction = {0.1, 0.2};
+    WellSectionCase open{.to = 200, .diameter = 0.19};
+    open.normal_stiffness = 2e6;
+    return {casing, open};
+}
+
 Case case_of(const Scenario& scenario, IntegratorKind kind) {
     Case input = case_from(scenario.text);
     if (scenario.name != "FreeHead") {
         WellCase hole;
         hole.survey = {{0, 0.4, 0.4}, {60, 0.45, 0.35}, {120, 0.6, 0.42}, {200, 0.7, 0.5}};
         hole.sections = {{100, 0.22}, {200, 0.2}};
+        if (scenario.name == "OverAShoe") hole.sections = casing_and_open_hole();
         input.well = hole;
     }
     if (scenario.name == "PapersLawDamped") input.contact.law = FrictionLaw::paper;
@@ -73,6 +83,25 @@ const std::vector<Scenario> scenarios = {
     {"PapersLawDamped", pipe_in_well("[damping]\ninternal = 1\nexternal = 2\nkelvin_voigt = 1e-5\n"
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
+    {"OverAShoe", R"(
+        [[string.component]]
+        length = 24
+        linear_density = 34.0
+        outer_diameter = 0.14
+        inner_diameter = 0.11
+        youngs_modulus = "200 GPa"
+        [mesh]
+        segments = 40
+        [head]
+        motion = "free"
+        [initial]
+        offset = [-0.03, 0, 0]
+        [contact]
+        normal_stiffness = 1e6
+        normal_damping = 1e4
+        [run]
+        duration = 1
+        )"},
     {"FreeHead", R"(
         [[string.component]]
         length = 24

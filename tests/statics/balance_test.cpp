@@ -22,7 +22,17 @@ using test::Dice;
 
 /// A rod of stiffnesses that are all of order one, so that no term hides behind another, in a
 /// curved well into whose wall it is pressed, with every kind of load at its end.
-Scene trial_scene(bool follower, bool well, const std::string& more = "") {
+/// Casing that widens, and an open hole with a wall of its own.
+std::vector<WellSectionCase> casing_and_open_hole() {
+    WellSectionCase casing{.to = 4.1, .diameter = 0.3};
+    casing.end_diameter = 0.36;
+    casing.dynamic_friction = {0.2, 0.4};
+    WellSectionCase open{.to = 1e9, .diameter = 0.34};
+    open.normal_stiffness = 5;
+    return {casing, open};
+}
+
+Scene trial_scene(bool follower, bool well, bool varied_wall) {
     const std::string own = "curvature = [0.1, 0.2, -0.3]";
     Case input = test::case_from(test::rod({6, 1.3, 0.9, 2.1, 1.7}, own) + test::mesh(6) +
                                  "[head]\ndirection = [0.1, 0.2, 1]\n"
@@ -30,10 +40,10 @@ Scene trial_scene(bool follower, bool well, const std::string& more = "") {
                                  "dead_moment = [0.2, 0.1, -0.3]\nmoment = [0.3, 0.2, 0.1]\n"
                                  "torque = 0.4\n[contact]\nnormal_stiffness = 3\n"
                                  "normal_damping = 0\nstatic_friction = 1\n"
-                                 "dynamic_friction = [0.3, 0.5]\n" +
-                                 more);
+                                 "dynamic_friction = [0.3, 0.5]\n");
     if (well) {
         input.well = test::well_through({{0, 0.1, 0}, {3, 0.5, 0.4}, {9, 1.4, 1.0}}, 0.3);
+        if (varied_wall) input.well->sections = casing_and_open_hole();
         input.bit.direction = follower ? BitDirection::follower : BitDirection::well;
     }
     return build_scene(input);
@@ -76,7 +86,7 @@ TEST(StaticTangent, IsTheDerivativeOfTheForcesWithWallFrictionAndFollowingLoads)
     for (unsigned seed = 1; seed <= 20; ++seed) {
         Dice dice(seed);
         const bool well = seed % 4 != 0;
-        const Scene scene = trial_scene(seed % 2 == 0, well);
+        const Scene scene = trial_scene(seed % 2 == 0, well, seed % 3 == 1);
         const RodState state = bent_state(scene, dice, 0.2);
         Balance balance(scene, trial_loads());
         BlockTridiagonal stiffness(state.twist.size());
@@ -121,7 +131,7 @@ TEST(StaticForces, AreThoseWithWhichTheLeapfrogSetsOffFromRest) {
     constexpr double instant = 1e-9;  // s; sections of that rod turn with some 1e3 rad/s
     for (unsigned seed = 1; seed <= 12; ++seed) {
         Dice dice(seed);
-        Scene scene = trial_scene(seed % 2 == 0, seed % 3 != 0);
+        Scene scene = trial_scene(seed % 2 == 0, seed % 3 != 0, seed % 3 == 1);
         scene.contact.tangential_stiffness = 1e-9;
         const RodState state = bent_state(scene, dice, 0.2);
         LoadCase loads;  // at rest, with the loads of time 0

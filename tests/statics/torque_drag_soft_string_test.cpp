@@ -27,7 +27,7 @@ SoftString pipe_to(double depth, double friction, const SteadyMotion& motion, So
                    double pipe_weight = weight) {
     SoftString string;
     string.stretches = {{0, depth, pipe_weight, radius}};
-    string.contact.dynamic_friction = {friction, friction};
+    string.friction = {{friction, friction}};
     string.motion = motion;
     string.at_bit = at_bit;
     return string;

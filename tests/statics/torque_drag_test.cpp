@@ -108,6 +108,62 @@ TEST(TorqueDrag, StiffStringClimbsTheWallAsItTurnsWhichLightensItsTorque) {
     }
 }
 
+// Casing to 1200 m and open hole below: what rubs is the sum of mu_i w L_i sin(inclination).
+TEST(TorqueDrag, InCasingAndOpenHoleHasTheFrictionOfEach) {
+    const double inclination = 50 * degree;
+    Case input = case_in({{0, inclination, 1}, {2000, inclination, 1}}, 0);
+    input.torque_drag.friction.reset();
+    WellSectionCase casing{.to = 1200, .diameter = 0.22};
+    casing.static_friction = casing.dynamic_friction = {0.15, 0.15};
+    WellSectionCase open{.to = 2000, .diameter = 0.22};
+    open.static_friction = open.dynamic_friction = {0.35, 0.35};
+    input.well->sections = {casing, open};
+    input.torque_drag.depths = {600, 2000};
+    const TorqueDrag study = compute_torque_drag(input);
+    const double press = pipe_weight * std::sin(inclination);
+    const double slope = pipe_weight * std::cos(inclination);
+    constexpr double near = 0.005;
+    for (const TorqueDragCurve& one : study.curves) {
+        if (one.motion == Motion::sliding || one.motion == Motion::drilling) continue;
+        const bool rotates = one.motion == Motion::rotating;
+        const double sign = rotates ? 0 : one.motion == Motion::tripping_in ? -1 : 1;
+        const double in_casing = slope * 600 + sign * 0.15 * press * 600;
+        const double in_both = slope * 2000 + sign * press * (0.15 * 1200 + 0.35 * 800);
+        expect_close(one.soft_hook_load[0], in_casing, 1e-9);
+        expect_close(one.soft_hook_load[1], in_both, 1e-9);
+        expect_close(one.hook_load[0], in_casing, near);
+        expect_close(one.hook_load[1], in_both, near);
+        if (!rotates) continue;
+        expect_close(one.soft_surface_torque[1], radius * press * (0.15 * 1200 + 0.35 * 800), 1e-9);
+        const double climbing =
+            radius * press * (0.15 * 1200 / std::hypot(1, 0.15) + 0.35 * 800 / std::hypot(1, 0.35));
+        expect_close(one.surface_torque[1], climbing, near);
+    }
+    // the study's own friction is that of all sections
+    input.torque_drag.friction = FrictionCoefficients{0.2, 0.2};
+    const TorqueDrag own = compute_torque_drag(input);
+    expect_close(curve(own, Motion::tripping_out).soft_hook_load[1],
+                 slope * 2000 + press * 0.2 * 2000, 1e-9);
+}
+
+// A casing shoe at 1200 m, with a node on it and one in its shoulder.
+TEST(TorqueDrag, OverAShoeThatNodesStandOnIsFound) {
+    Case input = build_and_hold(0.2);
+    WellSectionCase casing{.to = 1200, .diameter = 0.25};
+    casing.dynamic_friction = casing.static_friction = {0.15, 0.15};
+    WellSectionCase open{.to = total_depth, .diameter = 0.22};
+    open.normal_stiffness = 2e6;
+    input.well->sections = {casing, open};
+    input.torque_drag.friction.reset();
+    for (const double depth : {1200.0, 1200.1, total_depth}) {
+        input.torque_drag.depths = {depth};
+        for (const TorqueDragCurve& one : compute_torque_drag(input).curves) {
+            EXPECT_THAT(one.failures, testing::IsEmpty());
+            expect_close(one.hook_load.front(), one.soft_hook_load.front(), 0.02);
+        }
+    }
+}
+
 TEST(TorqueDrag, InStraightInclinedWellHasTheLoadsOfABodyOnASlope) {
     const double inclination = 50 * degree;
     const double mu = 0.3;

@@ -124,6 +124,24 @@ std::vector<double> clearances(const Scene& scene) {
     return clearances;
 }
 
+std::string friction_text(const FrictionCoefficients& fixed, const FrictionCoefficients& slide) {
+    return fmt::format("static {:.3g} axial {:.3g} azimuthal, dynamic {:.3g} and {:.3g}",
+                       fixed.axial, fixed.azimuthal, slide.axial, slide.azimuthal);
+}
+
+/// A section of the well, with what it has of its own.
+void print_section(const WellSectionCase& section) {
+    std::string text = diameter_text(section.diameter);
+    if (section.end_diameter) text += " going over to " + diameter_text(*section.end_diameter);
+    if (std::isfinite(section.to))
+        text += (section.end_diameter ? " at " : " to ") + length_text(section.to);
+    if (!section.name.empty()) text += fmt::format(", {}", section.name);
+    if (section.static_friction)
+        text += ", friction " + friction_text(*section.static_friction, *section.dynamic_friction);
+    if (section.normal_stiffness) text += fmt::format(", {:.4g} Pa", *section.normal_stiffness);
+    line("diameter", text);
+}
+
 void print_well(const Case& input, const Scene& scene) {
     fmt::print("Well\n");
     if (!input.well) {
@@ -148,10 +166,7 @@ void print_well(const Case& input, const Scene& scene) {
                                sharpest / unit_factor("deg/30m", dimension::curvature),
                                sharpest / unit_factor("deg/100ft", dimension::curvature)));
     for (const WellSectionCase& section : input.well->sections)
-        line("diameter",
-             std::isfinite(section.to)
-                 ? fmt::format("{} to {}", diameter_text(section.diameter), length_text(section.to))
-                 : diameter_text(section.diameter));
+        print_section(section);
     line("clearance",
          fmt::format("at least {:.4g} m, {:.5g} m from the head", *tightest,
                      scene.mesh.node_s[static_cast<std::size_t>(tightest - gaps.begin())]));
@@ -199,10 +214,9 @@ void print_contact(const Scene& scene) {
              fmt::format("{:.4g} m more than the cell of its node", scene.bit.contact_length));
     }
     line("friction",
-         fmt::format("law {}, static {:.3g} axial {:.3g} azimuthal, dynamic {:.3g} and {:.3g}",
-                     contact.law == FrictionLaw::paper ? "paper" : "coulomb",
-                     contact.static_friction.axial, contact.static_friction.azimuthal,
-                     contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal));
+         fmt::format("law {}, {}{}", contact.law == FrictionLaw::paper ? "paper" : "coulomb",
+                     friction_text(contact.static_friction, contact.dynamic_friction),
+                     scene.features.varied_wall ? ", where a section has none of its own" : ""));
     line("rolling",
          contact.rolling_creep > 0
              ? fmt::format("friction saturates at a creep of {:.3g}", contact.rolling_creep)

@@ -150,8 +150,9 @@ std::vector<WellStretch> well_stretches(const Result& result) {
         const double end =
             index == well.arc_at(bottom) ? bottom : arc.measured_depth_start + arc.length;
         if (end > start) {
-            if (stretches.empty() || stretches.back().radius != arc.radius)
-                stretches.push_back({arc.radius, {}, {}});
+            const double radius = arc.radius_at(0.5 * arc.length);
+            if (stretches.empty() || stretches.back().radius != radius)
+                stretches.push_back({radius, {}, {}});
             add_depths(stretches.back(), well, depths_of(arc, start, end));
         }
         start = std::max(start, end);

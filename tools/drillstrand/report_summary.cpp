@@ -173,6 +173,24 @@ Items component_items(const ResultHeader& header) {
     return items;
 }
 
+/// Diameter and friction of each section, where they are not alike.
+Items section_items(const WellCase& well, double start) {
+    Items items;
+    for (std::size_t k = 0; k < well.sections.size() && well.sections.size() > 1; ++k) {
+        const WellSectionCase& section = well.sections[k];
+        if (!section.dynamic_friction) break;
+        items.push_back(range(
+            fmt::format("section-{}", k).c_str(),
+            fmt::format("{}, dynamic friction {:.3g} axial {:.3g} azimuthal",
+                        section.name.empty() ? fmt::format("Section {}", k + 1) : section.name,
+                        section.dynamic_friction->axial, section.dynamic_friction->azimuthal)
+                .c_str(),
+            start, section.to, page_unit::length));
+        start = section.to;
+    }
+    return items;
+}
+
 Items well_items(const WellCase& well) {
     double steepest = 0;
     for (const SurveyStation& station : well.survey)
@@ -180,10 +198,16 @@ Items well_items(const WellCase& well) {
     double sharpest = 0;
     for (const double severity : dogleg_severities(well.survey))
         sharpest = std::max(sharpest, severity);
-    const auto [least, most] = std::minmax_element(
-        well.sections.begin(), well.sections.end(),
-        [](const WellSectionCase& a, const WellSectionCase& b) { return a.diameter < b.diameter; });
-    return {
+    double least = well.sections.front().diameter;
+    double most = least;
+    for (const WellSectionCase& section : well.sections) {
+        for (const double diameter :
+             {section.diameter, section.end_diameter.value_or(section.diameter)}) {
+            least = std::min(least, diameter);
+            most = std::max(most, diameter);
+        }
+    }
+    Items items = {
         range("measured-depth", "Measured depth of the survey", well.survey.front().measured_depth,
               well.survey.back().measured_depth, page_unit::length),
         quantity("vertical-depth", "Vertical depth of its end below its start",
@@ -193,8 +217,10 @@ Items well_items(const WellCase& well) {
          fmt::format("{:.3g}° per 30 m", sharpest / unit_factor("deg/30m", dimension::curvature)),
          fmt::format("{:.3g}° per 100 ft",
                      sharpest / unit_factor("deg/100ft", dimension::curvature))},
-        range("hole", "Diameter of the hole", least->diameter, most->diameter,
-              page_unit::small_length)};
+        range("hole", "Diameter of the hole", least, most, page_unit::small_length)};
+    for (Item& item : section_items(well, well.survey.front().measured_depth))
+        items.push_back(std::move(item));
+    return items;
 }
 
 /// Range of a series in words.

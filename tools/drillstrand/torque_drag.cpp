@@ -47,13 +47,27 @@ std::string mark(BucklingState state) {
     return state == BucklingState::helical ? "h" : " ";
 }
 
+void print_friction(const Case& input) {
+    const auto print = [](const FrictionCoefficients& friction, const std::string& where) {
+        line("friction", "{:.4g} along the well, {:.4g} around it{}", friction.axial,
+             friction.azimuthal, where);
+    };
+    const FrictionCoefficients& usual = input.contact.dynamic_friction;
+    const std::vector<WellSectionCase>& sections = input.well->sections;
+    const bool own =
+        std::any_of(sections.begin(), sections.end(),
+                    [](const WellSectionCase& section) { return section.dynamic_friction; });
+    if (input.torque_drag.friction || !own)
+        return print(input.torque_drag.friction.value_or(usual), "");
+    for (const WellSectionCase& section : sections)
+        print(section.dynamic_friction.value_or(usual), fmt::format(", to {:.6g} m", section.to));
+}
+
 void print_case(const Case& input, const TorqueDrag& study) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
     line("string", "cut or lengthened at its top; {} segments of {:.4g} m at the last depth",
          study.segment_s.size(), study.node_s.back() / static_cast<double>(study.segment_s.size()));
-    const FrictionCoefficients friction =
-        input.torque_drag.friction.value_or(input.contact.dynamic_friction);
-    line("friction", "{:.4g} along the well, {:.4g} around it", friction.axial, friction.azimuthal);
+    print_friction(input);
     line("bit", "on bottom, {:.6g} kN, where it drills or slides; else off bottom",
          input.bit.weight.values().back() / kilonewton);
     fmt::print("\n");

@@ -169,9 +169,17 @@ void transfer(Pipe& pipe, SurveyStation& station) {
 }
 
 template <class Pipe>
+void transfer(Pipe& pipe, FrictionCoefficients& friction) {
+    auto& [axial, azimuthal] = friction;
+    transfer_all(pipe, axial, azimuthal);
+}
+
+template <class Pipe>
 void transfer(Pipe& pipe, WellSectionCase& section) {
-    auto& [to, diameter] = section;
-    transfer_all(pipe, to, diameter);
+    auto& [to, diameter, end_diameter, name, static_friction, dynamic_friction, normal_stiffness] =
+        section;
+    transfer_all(pipe, to, diameter, end_diameter, name, static_friction, dynamic_friction,
+                 normal_stiffness);
 }
 
 template <class Pipe>
