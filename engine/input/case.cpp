@@ -18,6 +18,16 @@ bool can_rest(const Case& input) {
            input.run.integrator == IntegratorKind::leapfrog;
 }
 
+/// Throws InputError where the paper's rod is asked for what it does not have.
+void check_eccentric_masses(const Case& input, const StringInput& string) {
+    if (input.run.integrator == IntegratorKind::leapfrog) return;
+    for (std::size_t k = 0; k < input.string.components.size(); ++k)
+        if (input.string.components[k].eccentric)
+            throw InputError(string.component_places[k],
+                             "eccentric_mass turns with the leapfrog's rod alone; expected "
+                             "run.integrator = \"leapfrog\"");
+}
+
 /// Throws InputError where a run cannot start from equilibrium.
 void check_initial_equilibrium(const Case& input, const toml::table& root) {
     if (input.initial.state != InitialState::equilibrium || can_rest(input)) return;
@@ -77,6 +87,7 @@ Case read_case(const std::filesystem::path& path,
     if (result.well) check_fit(*result.well, string, result.head, result.contact.interference);
     result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
+    check_eccentric_masses(result, string);
     result.warnings = implausible_numbers(document.root, result, string);
     result.path = path;
     result.files = files_of(document.root, path);

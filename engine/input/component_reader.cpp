@@ -100,6 +100,8 @@ class TableSource : public ComponentSource {
                          "bend",
                          "bend_position",
                          "toolface",
+                         "eccentric_mass",
+                         "eccentric_mass_position",
                          "element_length"}) {}
 
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
@@ -139,7 +141,7 @@ class TableSource : public ComponentSource {
     Table table_;
 };
 
-constexpr std::array<std::string_view, 31> columns{"name",
+constexpr std::array<std::string_view, 33> columns{"name",
                                                    "length",
                                                    "outer_diameter",
                                                    "inner_diameter",
@@ -169,6 +171,8 @@ constexpr std::array<std::string_view, 31> columns{"name",
                                                    "bend",
                                                    "bend_position",
                                                    "toolface",
+                                                   "eccentric_mass",
+                                                   "eccentric_mass_position",
                                                    "element_length"};
 
 /// A row of a CSV file; an empty field is a key left out.
@@ -407,6 +411,18 @@ std::optional<BentPlace> read_bend(const ComponentSource& source, const Componen
     return bend;
 }
 
+std::optional<Eccentricity> read_eccentricity(const ComponentSource& source,
+                                              const Component& component) {
+    const std::optional<double> moment =
+        source.quantity("eccentric_mass", dimension::inertia_per_length, plausible::unbalance);
+    if (!moment) {
+        refuse_alone(source, "eccentric_mass_position", dimension::length, "eccentric_mass");
+        return std::nullopt;
+    }
+    return Eccentricity{
+        read_place(source, component, "eccentric_mass_position", component.length / 2), *moment};
+}
+
 /// Mass per length of tool joints and the pipe between, of one material.
 double jointed_density(double density, const Component& component) {
     const auto ring = [](double outer, double inner) {
@@ -470,6 +486,7 @@ PlacedComponent read_component(const ComponentSource& source) {
     component.curvature = source.curvature();
     component.contact = read_contact_point(source, component);
     component.bend = read_bend(source, component);
+    component.eccentric = read_eccentricity(source, component);
     component.element_length =
         source.quantity("element_length", dimension::length, plausible::length);
     return {component, source.where("outer_diameter")};

@@ -80,6 +80,9 @@ class Checker {
         for (const char* path :
              {"contact.static_friction", "contact.dynamic_friction", "torque_drag.friction"})
             check_friction(path);
+        for (std::size_t k = 0; input_.well && k < input_.well->sections.size(); ++k)
+            for (const char* kind : {"static_friction", "dynamic_friction"})
+                check_friction(fmt::format("well.section[{}].{}", k, kind));
         if (input_.well) {
             check_weight_on_bit();
             check_length();
@@ -114,7 +117,7 @@ class Checker {
     }
 
     /// Each number of a key: itself, the values of a schedule, the entries of a list.
-    void for_each(const char* path, const std::function<bool(const Value&)>& visit) const {
+    void for_each(const std::string& path, const std::function<bool(const Value&)>& visit) const {
         const toml::node* node = root_.at_path(path).node();
         if (node == nullptr) return;
         const toml::array* list = node->as_array();
@@ -151,7 +154,7 @@ class Checker {
         });
     }
 
-    void check_friction(const char* path) {
+    void check_friction(const std::string& path) {
         for_each(path, [&](const Value& value) {
             const double number = number_of(value, dimension::none);
             if (friction.contains(number)) return true;

@@ -20,6 +20,7 @@ inline constexpr Range inertia{.low = 1e-15, .high = 1e9};         // kg m
 inline constexpr Range curvature{.low = -1e3, .high = 1e3};        // 1/m
 inline constexpr Range bend{.low = -0.8, .high = 0.8};             // rad
 inline constexpr Range toolface{.low = -6.3, .high = 6.3};         // rad: a turn either way
+inline constexpr Range unbalance{.low = 0, .high = 1e3};           // kg m
 inline constexpr Range acceleration{.low = 0, .high = 1e3};        // m/s2
 inline constexpr Range load{.low = -1e12, .high = 1e12};           // N or N m
 inline constexpr Range load_or_none{.low = 0, .high = 1e12};       // N or N m

@@ -10,6 +10,7 @@
 
 #include "input/plausible.hpp"
 #include "input/table.hpp"
+#include "input/written.hpp"
 
 namespace drillstrand {
 
@@ -46,8 +47,8 @@ double read_depth(const Table& table, const char* key, double standard, double l
     if (!value) return standard;
     const double depth = value->quantity(dimension::length, plausible::coordinate);
     if (depth < low || depth > high)
-        value->fail(fmt::format("is {:.9g} m; expected {:.9g} m to {:.9g} m, in the survey", depth,
-                                low, high));
+        value->fail(fmt::format("is {}; expected {} to {}, in the survey", length_text(depth),
+                                length_text(low), length_text(high)));
     return depth;
 }
 

@@ -189,6 +189,7 @@ void add_nodes(StringMesh& mesh, const StringLayout& layout, bool joints_everywh
 /// Nodes at tool joints and contact points have their radius.
 void touch_at_places(StringMesh& mesh, const StringLayout& layout) {
     const double rounding = place_rounding * layout.length();
+    mesh.touches_at_a_point.assign(mesh.node_s.size(), false);
     std::size_t k = 0;
     for (const TouchingPlace& place : layout.places) {
         while (k + 1 < mesh.node_s.size() && mesh.node_s[k] < place.s - rounding)
@@ -199,6 +200,7 @@ void touch_at_places(StringMesh& mesh, const StringLayout& layout) {
         }
         double& radius = mesh.node[k].outer_radius;
         radius = std::max(radius, place.radius);
+        mesh.touches_at_a_point[k] = place.radius > mesh.node[k].flow_radius;
         if (place.contact) mesh.contact.push_back({k, *place.contact});
     }
 }
@@ -227,6 +229,16 @@ void bend_at_kinks(StringMesh& mesh, const StringLayout& layout) {
     }
 }
 
+/// Gives eccentric masses to the nearest nodes.
+void unbalance_nodes(StringMesh& mesh, const StringLayout& layout) {
+    if (layout.eccentric.empty()) return;
+    mesh.unbalance.assign(mesh.node_s.size(), 0.0);
+    for (const EccentricPlace& mass : layout.eccentric) {
+        const auto below = std::lower_bound(mesh.segment_s.begin(), mesh.segment_s.end(), mass.s);
+        mesh.unbalance[static_cast<std::size_t>(below - mesh.segment_s.begin())] += mass.moment;
+    }
+}
+
 }  // namespace
 
 StringMesh mesh_string(const StringCase& string, const MeshCase& mesh_case, Lumping lumping) {
@@ -245,6 +257,7 @@ StringMesh mesh_string(const StringCase& string, const MeshCase& mesh_case, Lump
         lump_on_cubics(mesh, layout, lumping == Lumping::cubic_free_head);
     touch_at_places(mesh, layout);
     bend_at_kinks(mesh, layout);
+    unbalance_nodes(mesh, layout);
     return mesh;
 }
 

@@ -47,13 +47,15 @@ std::vector<Wish> wishes_of(const StringCase& string, const StringLayout& layout
 }
 
 /// Places where a node must stand: ends of components and of refined stretches, tool joints,
-/// contact points, kinks. Those that differ by rounding are one.
+/// contact points, kinks, eccentric masses. Those that differ by rounding are one.
 std::vector<double> fixed_places(const StringLayout& layout, const std::vector<Wish>& wishes) {
     std::vector<double> places = layout.component_boundary;
     for (const TouchingPlace& place : layout.places)
         places.push_back(place.s);
     for (const Kink& kink : layout.kinks)
         places.push_back(kink.s);
+    for (const EccentricPlace& mass : layout.eccentric)
+        places.push_back(mass.s);
     for (const Wish& wish : wishes)
         places.insert(places.end(), {wish.from, wish.to});
     std::sort(places.begin(), places.end());

@@ -125,14 +125,15 @@ bool has_own_friction(const WellSectionCase& section) {
 void set_well(Scene& scene, const WellCase& well) {
     scene.well.emplace(well, scene.contact.normal_stiffness);
     scene.section_friction = section_friction(well, scene.contact);
-    scene.features.varied_wall =
-        scene.well->varies_along() ||
-        std::any_of(well.sections.begin(), well.sections.end(), has_own_friction);
 }
 
-SceneFeatures features_of(const Case& input, const StringMesh& mesh) {
+SceneFeatures features_of(const Case& input, const std::optional<Well>& well,
+                          const StringMesh& mesh) {
     SceneFeatures features;
     features.well = input.well.has_value();
+    features.varied_wall =
+        well && (well->varies_along() || std::any_of(input.well->sections.begin(),
+                                                     input.well->sections.end(), has_own_friction));
     if (features.well && input.fluid) {
         const FluidCase& fluid = *input.fluid;
         features.inertial_flow = fluid.drag && fluid.regime == FlowRegime::inertial;
@@ -142,7 +143,9 @@ SceneFeatures features_of(const Case& input, const StringMesh& mesh) {
     if (input.damping.internal.any() || input.damping.external.any())
         features.damping = Damping::paper;
     if (input.damping.kelvin_voigt > 0) features.damping = Damping::kelvin_voigt;
+    // an eccentric mass needs the material frames, too
     features.curved =
+        !mesh.unbalance.empty() ||
         std::any_of(mesh.segment.begin(), mesh.segment.end(),
                     [](const SectionProperties& segment) { return !segment.curvature.isZero(0); });
     return features;
@@ -323,7 +326,7 @@ Scene scene_of(const Case& input) {
                                : input.string,
                     input.mesh, lumping_of(input));
     scene.segments = static_cast<int>(scene.mesh.length.size());
-    scene.features = features_of(input, scene.mesh);
+    scene.features = features_of(input, scene.well, scene.mesh);
     scene.initial_strain = initial_strains(scene, input.initial);
     scene.initial_nodes = initial_nodes(scene, input.initial);
     scene.head_position += input.initial.offset;

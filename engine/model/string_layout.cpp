@@ -59,6 +59,8 @@ StringLayout::StringLayout(const StringCase& string) : boundary{0.0}, component_
             places.push_back({start + contact->position, contact->diameter / 2, contact});
         if (const auto& bend = component.bend)
             kinks.push_back({start + bend->position, bend->angle, bend->toolface});
+        if (const auto& mass = component.eccentric)
+            eccentric.push_back({start + mass->position, mass->moment});
     }
     const auto above = [](const auto& one, const auto& other) { return one.s < other.s; };
     std::stable_sort(places.begin(), places.end(), above);

@@ -22,6 +22,11 @@ struct Kink {
     double toolface = 0;
 };
 
+struct EccentricPlace {
+    double s = 0;       ///< m
+    double moment = 0;  ///< kg m
+};
+
 /// The string as stretches of constant properties along the arc length, from 0 to its length.
 struct StringLayout {
     explicit StringLayout(const StringCase& string);
@@ -32,6 +37,7 @@ struct StringLayout {
     std::vector<double> component_boundary;   ///< one more than components (m)
     std::vector<TouchingPlace> places;        ///< tool joints and contact points, ascending
     std::vector<Kink> kinks;                  ///< ascending
+    std::vector<EccentricPlace> eccentric;    ///< ascending
 
     [[nodiscard]] double length() const { return boundary.back(); }
 

@@ -43,6 +43,7 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         set(transverse, scene.inertia[k]);
         set(inverse_transverse, 1 / scene.inertia[k]);
         set(weight, scene.weight[k]);
+        if (!mesh.unbalance.empty()) set(unbalance, mesh.unbalance[k] / mesh.cell[k]);
     }
     if (scene.head.motion == HeadMotion::driven) table_.row(mobile_cell)[0] = 0.0;
     // padding keeps no energy account

@@ -44,6 +44,7 @@ class DirectorConstants {
         transverse,          // node, rotary inertia across the axis (kg m)
         inverse_transverse,  // node, its inverse
         weight,              // node, buoyed weight (N/m)
+        unbalance,           // node, eccentric mass times distance over its cell (kg)
         rows
     };
 

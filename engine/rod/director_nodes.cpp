@@ -123,12 +123,22 @@ struct RodNodes {
             }
             done.outflow = -c.mobile_cell[k] * work;
         }
+        if constexpr (curved) {
+            const double along = 0.5 * dot(in.d1[k], combine(1.0, in.v[k], 1.0, v));
+            done.outflow -= c.mobile_cell[k] * kick * centrifugal(k) * along;
+        }
         done.faults = c.mobile_cell[k] > 0.0 && !(dot(v, v) + s * s < 1e20) ? 1.0 : 0.0;
         out.x.set(k, combine(1.0, in.x[k], drift, v));
         out.v.set(k, v);
         out.s[k] = s;
         if constexpr (curved) turn_material(k, s);
         return done;
+    }
+
+    /// Force of an eccentric mass along d1 (N/m). Its power is the drive's, whose torque for it is
+    /// left out.
+    DRILLSTRAND_INLINE double centrifugal(std::size_t k) const {
+        return c.unbalance[k] * in.s[k] * in.s[k];
     }
 
     /// Velocities after the forces of the rod, the weight and the damping; moves the node, or
@@ -151,6 +161,7 @@ struct RodNodes {
             couple = combine(1.0, couple, 1.0, own);
             torque += dot(own, t);
             couple = without(couple, t);
+            force = combine(1.0, force, centrifugal(k), in.d1[k]);
         }
 
         Triple v = combine(1.0, in.v[k], to_velocity, force);

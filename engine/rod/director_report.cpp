@@ -152,17 +152,20 @@ double fixed_end_moment(const BeamColumn& beam) {
 }
 
 /// What lies on a string per length, inertia included, as the forces in its segments tell (N/m). A
-/// wall presses between nodes where it does on both; a node that touches alone is held at a point.
-/// Nothing is asked of the bit, where cells are right.
+/// wall presses between nodes where it does on both, but for tool joints and contact points, which
+/// hold the pipe at a point, as a node does that touches alone. Nothing is asked of the bit, where
+/// cells are right.
 std::vector<Vector3d> spread_loads(const DirectorString& string, const DirectorSnapshot& at,
                                    const std::vector<NodeContact>& contacts) {
     const std::size_t last = string.model.segments;
-    const auto touches = [&](std::size_t k) { return contacts[k].penetration > 0 ? 1.0 : 0.0; };
+    const auto lies = [&](std::size_t k) {
+        return contacts[k].penetration > 0 && !string.scene.mesh.touches_at_a_point[k] ? 1.0 : 0.0;
+    };
     std::vector<Vector3d> load(last + 1, Vector3d::Zero());
     for (std::size_t k = 1; k < last; ++k) {
         const Vector3d resultant =
             at.segments.vector(SegmentRow::pull, k - 1) - at.segments.vector(SegmentRow::pull, k);
-        const double alone = 1 - 0.5 * (touches(k - 1) + touches(k + 1));
+        const double alone = 1 - lies(k) * 0.5 * (lies(k - 1) + lies(k + 1));
         load[k] = resultant / string.scene.mesh.cell[k] - alone * contacts[k].force;
     }
     if (last > 2) load[0] = 2 * load[1] - load[2];

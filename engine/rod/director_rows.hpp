@@ -77,9 +77,10 @@ struct NodeConstants {
           inverse_polar(c.row(DirectorConstants::inverse_polar) + first),
           transverse(c.row(DirectorConstants::transverse) + first),
           inverse_transverse(c.row(DirectorConstants::inverse_transverse) + first),
-          weight(c.row(DirectorConstants::weight) + first) {}
+          weight(c.row(DirectorConstants::weight) + first),
+          unbalance(c.row(DirectorConstants::unbalance) + first) {}
     const double *inverse_cell, *mobile_cell, *mass, *inverse_mass, *polar, *inverse_polar,
-        *transverse, *inverse_transverse, *weight;
+        *transverse, *inverse_transverse, *weight, *unbalance;
 };
 
 /// Lines of numbers of a span's segments or nodes that one of its loops hands to the next, in the

@@ -87,6 +87,12 @@ struct BentPlace {
     double toolface = 0;  ///< of the side that it bends to: from d1 to d2 (rad)
 };
 
+/// A mass that lies beside the axis, on the side of d1.
+struct Eccentricity {
+    double position = 0;  ///< from the component's upper end (m)
+    double moment = 0;    ///< mass times distance from the axis (kg m)
+};
+
 /// A stretch of pipe of one kind.
 struct Component {
     std::string name;
@@ -109,6 +115,7 @@ struct Component {
     std::optional<ToolJoints> joints;
     std::optional<ContactPoint> contact;
     std::optional<BentPlace> bend;
+    std::optional<Eccentricity> eccentric;
     std::optional<double> element_length;  ///< largest length of segments in it (m)
 };
 

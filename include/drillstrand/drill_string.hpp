@@ -71,7 +71,11 @@ struct StringMesh {
     std::vector<SectionProperties> segment;  ///< N: stiffnesses and curvature are the ones to use
     std::vector<SectionProperties> node;     ///< N+1: mass, inertias, areas; radii at the node
     std::vector<Contact> contact;            ///< ascending
-    std::vector<double> lost;                ///< contact points without a node (m), ascending
+    /// N+1, whether the node touches the wall with a tool joint or a contact point: the pipe beside
+    /// it then need not touch
+    std::vector<bool> touches_at_a_point;
+    std::vector<double> lost;       ///< contact points without a node (m), ascending
+    std::vector<double> unbalance;  ///< N+1, eccentric mass times distance (kg m); empty: none
 };
 
 /// The string on a mesh of at least one segment (engine/model/README.md, "Mesh"). Outer radii are

@@ -27,7 +27,7 @@ struct SceneFeatures {
     bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
     bool varied_wall = false;    ///< friction, firmness or diameter of the wall vary along the well
     Damping damping = Damping::none;
-    bool curved = false;  ///< a stress-free shape that is not straight
+    bool curved = false;  ///< a stress-free shape that is not straight, or an eccentric mass
 };
 
 /// Nodes of a string whose beam-column segments are not stretched (engine/model/README.md, "Initial

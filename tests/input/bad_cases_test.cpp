@@ -80,7 +80,7 @@ TEST(BadCases, ValuesOfTheWrongTypeSayWhatWasExpected) {
         {R"(title = "Trial")", "title = \"Trial\"\ncontact = 3",
          "case.toml:2:11: contact is 3; expected a table [contact]"},
         {"[mesh]\nsegments = 50\n", "mesh = 50\n",
-         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, element_length)"},
+         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, eccentric_mass, eccentric_mass_position, element_length)"},
         {"[head]\n", "[output]\ninterval = {}\n[head]\n",
          "case.toml:31:12: output.interval is a table; expected a number in SI or a time such as "
          "s, min, h"},
@@ -314,17 +314,17 @@ std::string pipe_with(const std::string& keys) {
 TEST(BadCases, ToolJointsFitTheirPipe) {
     expect_messages({
         {pipe_end, pipe_with("tool_joint_length = 0.4"),
-         "case.toml:18:21: string.component.0.tool_joint_length has no effect; expected it with "
+         "case.toml:19:21: string.component.0.tool_joint_length has no effect; expected it with "
          "string.component.0.joint_length"},
         {pipe_end, pipe_with("joint_length = 9.5"),
-         R"(case.toml:11:1: missing key "string.component.0.tool_joint_outer_diameter"; expected a length such as "6.625 in")"},
+         R"(case.toml:12:1: missing key "string.component.0.tool_joint_outer_diameter"; expected a length such as "6.625 in")"},
         {pipe_end, pipe_with("joint_length = 9.5\ntool_joint_outer_diameter = \"4 in\""),
-         "case.toml:19:29: string.component.0.tool_joint_outer_diameter is 4 in; expected more "
+         "case.toml:20:29: string.component.0.tool_joint_outer_diameter is 4 in; expected more "
          "than the inner diameter of 4.276 in"},
         {pipe_end,
          pipe_with("joint_length = 9.5\ntool_joint_outer_diameter = 0.17\n"
                    "tool_joint_length = 5"),
-         "case.toml:20:21: string.component.0.tool_joint_length is 5 m; expected less than half of "
+         "case.toml:21:21: string.component.0.tool_joint_length is 5 m; expected less than half of "
          "a joint of 9.5 m"},
     });
 }
@@ -332,24 +332,32 @@ TEST(BadCases, ToolJointsFitTheirPipe) {
 TEST(BadCases, ContactPointsAndBendsLieInTheirComponent) {
     expect_messages({
         {pipe_end, pipe_with("contact_length = 0.4"),
-         "case.toml:18:18: string.component.0.contact_length has no effect; expected it with "
+         "case.toml:19:18: string.component.0.contact_length has no effect; expected it with "
          "string.component.0.contact_diameter"},
         {pipe_end, pipe_with("contact_diameter = \"4 in\""),
-         "case.toml:18:20: string.component.0.contact_diameter is 4 in; expected at least the "
+         "case.toml:19:20: string.component.0.contact_diameter is 4 in; expected at least the "
          "outer diameter of 5 in"},
         {pipe_end, pipe_with("contact_diameter = 0.3\ncontact_position = 401"),
-         "case.toml:19:20: string.component.0.contact_position is 401 m; expected at most 400 m, "
+         "case.toml:20:20: string.component.0.contact_position is 401 m; expected at most 400 m, "
          "the length of the component"},
         {pipe_end, pipe_with("contact_diameter = \"12.5 in\""),
-         R"(case.toml:14:18: component 1 ("pipe") has a contact diameter of 12.5 in; expected at most 0.3111 m, the diameter of the well from 0 m to 400 m)"},
+         R"(case.toml:15:18: component 1 ("pipe") has a contact diameter of 12.5 in; expected at most 0.3111 m, the diameter of the well from 0 m to 400 m)"},
         {pipe_end, pipe_with("toolface = 0.4"),
-         "case.toml:18:12: string.component.0.toolface has no effect; expected it with "
+         "case.toml:19:12: string.component.0.toolface has no effect; expected it with "
          "string.component.0.bend"},
         {pipe_end, pipe_with("bend = \"90 deg\""),
-         "case.toml:18:8: string.component.0.bend is \"90 deg\"; expected -0.8 to 0.8 rad"},
+         "case.toml:19:8: string.component.0.bend is \"90 deg\"; expected -0.8 to 0.8 rad"},
         {pipe_end, pipe_with("bend = 0.03\nbend_position = 500"),
-         "case.toml:19:17: string.component.0.bend_position is 500 m; expected at most 400 m, the "
+         "case.toml:20:17: string.component.0.bend_position is 500 m; expected at most 400 m, the "
          "length of the component"},
+    });
+}
+
+TEST(BadCases, EccentricMassesTurnWithTheLeapfrogsRod) {
+    expect_messages({
+        {pipe_end, pipe_with("eccentric_mass_position = 3"),
+         "case.toml:19:27: string.component.0.eccentric_mass_position has no effect; expected it "
+         "with string.component.0.eccentric_mass"},
     });
 }
 
@@ -361,7 +369,7 @@ TEST(BadCases, MeshesThatFollowTheStringHaveTheirOwnKeys) {
          "case.toml:29:22: mesh.segments_per_joint excludes mesh.segments; expected one of the "
          "two"},
         {"segments = 50", "element_length = 7\nsegments_per_joint = 0",
-         "case.toml:29:22: mesh.segments_per_joint is 0; expected 1 to 1000"},
+         "case.toml:29:22: mesh.segments_per_joint is 0; expected a whole number from 1 to 1000"},
         {"segments = 50", "element_length = 1e-5",
          "case.toml:28:18: mesh.element_length makes 50000000 segments; expected at most 10000000"},
         {"segments = 50", "element_length = 7\nrefine = [{from = 5, to = 3, element_length = 1}]",
@@ -411,8 +419,8 @@ TEST(BadCases, SectionsOfAWellFollowEachOtherAndHaveWallsThatCanBe) {
                     "case.toml:5:58: well.section.0.normal_stiffness: m is a length; expected a "
                     "pressure such as Pa, MPa, GPa, psi"),
         in_sections("{to = 450, diameter = 0.3}, {to = 520, diameter = [0.3, 0.1]}",
-                    "case.toml:22:18: component 2 (\"collar\") has an outer diameter of 0.2032 m; "
-                    "expected less than 0.157142857 m, the diameter of the well from 450 m to 500 "
+                    "case.toml:22:18: component 2 (\"collar\") has an outer diameter of 8 in; "
+                    "expected at most 0.157142857 m, the diameter of the well from 450 m to 500 "
                     "m"),
     });
 }

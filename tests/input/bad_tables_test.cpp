@@ -119,7 +119,7 @@ TEST(BadTables, MistakesInAComponentTableAreLocated) {
         {"length,outer_diametre,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          R"(pipes.csv:1:8: unknown column "outer_diametre"; did you mean "outer_diameter"?)"},
         {"length,wall,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
-         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, element_length)"},
+         R"(pipes.csv:1:8: unknown column "wall"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature_twist, curvature_bend1, curvature_bend2, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, eccentric_mass, eccentric_mass_position, element_length)"},
         {"length[kN],outer_diameter,linear_density,youngs_modulus\n400,0.1,29,2e11\n",
          "pipes.csv:1:1: column length: kN is a force; expected a length such as m, mm, in, "
          "ft"},

@@ -384,6 +384,13 @@ TEST(GoodCases, WhereTheWallIsStatedContactPointsPressOnIt) {
               3e9);
 }
 
+TEST(GoodCases, AnEccentricMassHasAPlaceInItsComponent) {
+    const Case input = read_trial(
+        "[mesh]", "eccentric_mass = \"0.5 kg m\"\neccentric_mass_position = \"10 ft\"\n[mesh]");
+    EXPECT_EQ(input.string.components[1].eccentric->moment, 0.5);
+    EXPECT_DOUBLE_EQ(input.string.components[1].eccentric->position, 3.048);
+}
+
 TEST(GoodCases, APartMayBeAsWideAsItsHoleOrWiderByTheInterference) {
     EXPECT_NO_THROW(read_trial("diameter = 0.3111", "diameter = \"8 in\""));
     EXPECT_NO_THROW(read_trial("diameter = 0.3111\n",

@@ -64,6 +64,8 @@ contact_stiffness = 1e9
 bend = 0.01
 bend_position = 5
 toolface = 0
+eccentric_mass = 0.1
+eccentric_mass_position = 5
 element_length = 5
 [mesh]
 element_length = 10

@@ -47,10 +47,10 @@ TEST(OwnUnits, DiametersAndDepthsAreRepeatedAsWritten) {
     EXPECT_EQ(
         message_after("outer_diameter = \"8 in\"", "outer_diameter = \"8.65 in\""),
         R"(case.toml:15:18: component 2 ("collar") has an outer diameter of 8.65 in; expected )"
-        "less than 8.5 in, the diameter of the well from 1200 ft to 1500 ft");
+        "at most 8.5 in, the diameter of the well from 1200 ft to 1500 ft");
     EXPECT_EQ(message_after("outer_diameter = \"8 in\"", "outer_diameter = \"9 5/8 in\""),
               R"(case.toml:15:18: component 2 ("collar") has an outer diameter of 9 5/8 in; )"
-              "expected less than 8.5 in, the diameter of the well from 1200 ft to 1500 ft");
+              "expected at most 8.5 in, the diameter of the well from 1200 ft to 1500 ft");
     EXPECT_EQ(message_after("\"4.276 in\"", "\"6 in\""),
               "case.toml:9:18: string.component.0.inner_diameter is 6 in; expected less than the "
               "outer diameter of 5 in");

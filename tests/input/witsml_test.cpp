@@ -122,7 +122,7 @@ TEST(Witsml, MistakesInATubularAreLocated) {
          {"non-magnetic steel", "wood",
           R"(string.xml:26:7: typeMaterial is "wood", whose elasticity is not known; expected one of steel, steel alloy, chrome alloy, non-magnetic steel, aluminum, titanium, beryllium copper, or a table with youngs_modulus)"},
          {"<witsml:od uom=\"in\">9.5", "<witsml:od uom=\"in\">12.5",
-          R"(string.xml:15:7: component 3 ("PDC bit") has an outer diameter of 12.5 in; expected less than 0.3111 m, the diameter of the well from 1230 ft to 1231.2 ft)"}});
+          R"(string.xml:15:7: component 3 ("PDC bit") has an outer diameter of 12.5 in; expected at most 0.3111 m, the diameter of the well from 1230 ft to 1231.2 ft)"}});
 }
 
 TEST(Witsml, OtherFilesAreRefusedInOneLine) {

@@ -73,6 +73,7 @@ struct Variant {
     bool well;
     std::string more;
     bool varied_wall = false;
+    bool unbalanced = false;
 };
 
 std::ostream& operator<<(std::ostream& out, const Variant& variant) {
@@ -95,6 +96,9 @@ Scene scene_of(const Variant& variant) {
     const double modulus = variant.well ? 1e6 : 200e9;
     Case input = test::case_from(three_components(variant.curved, modulus) + variant.more +
                                  "[mesh]\nsegments = " + std::to_string(variant.segments) + "\n");
+    if (variant.unbalanced)
+        for (Component& part : input.string.components)
+            part.eccentric = Eccentricity{0.3 * part.length, 0.7};
     if (variant.well) {
         WellCase hole;
         hole.survey = {{0, 0.3, 0.4}, {6, 0.35, 0.35}, {14, 0.5, 0.42}, {40, 0.6, 0.5}};
@@ -272,6 +276,9 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"OneSegment", 1, false, false, ""}, Variant{"OneBlock", 15, false, false, ""},
         Variant{"LastNodeAlone", 32, false, false, ""},
         Variant{"SeveralBlocksDamped", 37, false, false, damped},
+        Variant{"Unbalanced", 37, false, false, "", false, true},
+        Variant{"UnbalancedInMudOnAVariedWall", 37, true, true, std::string(wall) + mud + damped,
+                true, true},
         Variant{"Curved", 37, true, false, ""}, Variant{"CurvedDamped", 37, true, false, damped},
         Variant{"DampingInPairs", 37, false, false, pairs},
         Variant{"OnlyKelvinVoigt", 20, false, false, "[damping]\nkelvin_voigt = 1e-3\n"},

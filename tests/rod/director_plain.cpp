@@ -407,8 +407,13 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
         const double inertia = scene.inertia[k];
         const Vector3d& t = before.director;
 
-        Vector3d v = before.velocity +
-                     kick / mass * (elastic[k].force / cell + scene.weight[k] * scene.down);
+        const Vector3d centrifugal =
+            scene.mesh.unbalance.empty()
+                ? Vector3d::Zero()
+                : Vector3d(scene.mesh.unbalance[k] * before.spin * before.spin * before.material);
+        Vector3d v =
+            before.velocity +
+            kick / mass * ((elastic[k].force + centrifugal) / cell + scene.weight[k] * scene.down);
         double spin = before.spin + kick / polar * elastic[k].torque / cell;
         // I dw/dt = couple + rho Ip s (t x w), the last term the mean of before and after the kick:
         // (1 - b [t x]) w_after = (1 + a [t x]) w_before + kick couple / I
@@ -436,6 +441,7 @@ StepAccount plain_director_step(const Scene& scene, PlainRod& rod, const EndLoad
             along = surround(scene, k, kick, drift, before, node, v, v_rod, spin, account);
         const Vector3d change = v - v_rod;
         const Vector3d mean = (before.velocity + v) / 2;
+        account.outflow -= kick * centrifugal.dot(mean);
         account.outflow -=
             cell * (mass * change.dot(mean) +
                     node.fluid_mass * across(change, along).dot(across(mean, along)) +

@@ -37,6 +37,7 @@ inline constexpr GoldenRun golden_runs[] = {
     {"well2_drilling_paper",  {3,   "3dcc37232957a7d"}, {0.002, "b73bdd10ac321b59"}},
     {"well3_paper",           {3,   "bf8afcc83a4538d"}, {0.002, "ce102024fffcf010"}},
     {"torque_drag",         {3,   "f0651892529230dc"}, {0.002, "8f308490721489d5"}},
+    {"field_units",         {0.05, "0"}, {0.0001, "0"}},
     {"buckling_heavy",      {1,   "18034a41a44ae606"}, {0.002, "5df6ce279330db8d"}},
     {"buckling_weightless", {1,   "69f7440f50bdd9b3"}, {0.002, "649bea5db9c93fe4"}},
 };

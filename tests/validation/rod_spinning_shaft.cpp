@@ -119,5 +119,39 @@ TEST_P(SpinningShaft, WhirlsBeyondTheSpinAtWhichItsViscosityOvercomesTheOuterDam
     }
 }
 
+// A slender shaft clamped at its head, an eccentric mass at its tip: in the turning frame
+// EI d4y/dx4 = (m W^2 - i c W) y, and EI d3y/dx3 = - U W^2 at the tip.
+TEST(EccentricMass, WhirlsAShaftOnTheRadiusOfForcedVibration) {
+    const Section section{.length = 20,
+                          .mass = 1,
+                          .inertia = 1e-3,
+                          .bending = 160000,
+                          .torsional = 160000,
+                          .axial = 4e7,
+                          .shear = 4e7};
+    const double unbalance = 1e-3;  // kg m
+    const double outer = 0.4;       // N s/m2
+    const double first = 3.5160 * std::sqrt(section.bending / std::pow(section.length, 4));
+    for (const double part : {0.5, 0.8, 1.3}) {
+        const double spin = part * first;
+        const std::complex<double> square(section.mass * spin * spin, -outer * spin);
+        const std::complex<double> b = std::pow(square / section.bending, 0.25);
+        const std::complex<double> x = b * section.length;
+        const std::complex<double> exact =
+            unbalance * spin * spin / (section.bending * b * b * b) *
+            (std::sin(x) * std::cosh(x) - std::cos(x) * std::sinh(x)) /
+            (1.0 + std::cos(x) * std::cosh(x));
+        const std::string mass =
+            fmt::format("eccentric_mass = {:.17g}\neccentric_mass_position = 20\n", unbalance);
+        const test::Run result =
+            run("gravity = 0\n" + section_component(section, mass) +
+                mesh_and_run(IntegratorKind::leapfrog, 8, false, 60) +
+                fmt::format("[head]\ndirection = [1, 0, 0]\nrotation = [[0, 0], [5, {:.17g}]]\n"
+                            "[damping]\nexternal = {}\n[output]\ninterval = 60\n",
+                            spin, outer));
+        EXPECT_NEAR(std::abs(displacement(result.last())) / std::abs(exact), 1, 0.01) << part;
+    }
+}
+
 }  // namespace
 }  // namespace drillstrand
