@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace drillstrand {
@@ -46,6 +47,15 @@ std::vector<Wish> wishes_of(const StringCase& string, const StringLayout& layout
     return wishes;
 }
 
+/// From a place to the nearest of some, which ascend (m).
+double distance_to(const std::vector<double>& places, double s) {
+    const auto below = std::lower_bound(places.begin(), places.end(), s);
+    double least = std::numeric_limits<double>::infinity();
+    if (below != places.end()) least = *below - s;
+    if (below != places.begin()) least = std::min(least, s - *(below - 1));
+    return least;
+}
+
 /// Places where a node must stand: ends of components and of refined stretches, tool joints,
 /// contact points, kinks, eccentric masses. Those that differ by rounding are one.
 std::vector<double> fixed_places(const StringLayout& layout, const std::vector<Wish>& wishes) {
@@ -56,8 +66,13 @@ std::vector<double> fixed_places(const StringLayout& layout, const std::vector<W
         places.push_back(kink.s);
     for (const EccentricPlace& mass : layout.eccentric)
         places.push_back(mass.s);
+    std::sort(places.begin(), places.end());
+    // an end of a stretch is where its maker happened to put it: no reason for a short segment
+    std::vector<double> ends;
     for (const Wish& wish : wishes)
-        places.insert(places.end(), {wish.from, wish.to});
+        for (const double s : {wish.from, wish.to})
+            if (distance_to(places, s) > 0.5 * wish.element_length) ends.push_back(s);
+    places.insert(places.end(), ends.begin(), ends.end());
     std::sort(places.begin(), places.end());
     const double rounding = place_rounding * layout.length();
     std::vector<double> kept{0.0};

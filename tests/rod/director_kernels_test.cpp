@@ -277,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"LastNodeAlone", 32, false, false, ""},
         Variant{"SeveralBlocksDamped", 37, false, false, damped},
         Variant{"Unbalanced", 37, false, false, "", false, true},
-        Variant{"UnbalancedInMudOnAVariedWall", 37, true, true, std::string(wall) + mud + damped,
+        Variant{"UnbalancedInMud", 37, true, true, std::string(wall) + mud + damped,
                 true, true},
         Variant{"Curved", 37, true, false, ""}, Variant{"CurvedDamped", 37, true, false, damped},
         Variant{"DampingInPairs", 37, false, false, pairs},
