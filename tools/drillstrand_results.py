@@ -95,7 +95,11 @@ class Result:
         depth = self.profiles["well_depth"][-1]
         ends, diameters = self.well["section_end"], self.well["section_diameter"]
         section = np.minimum(np.searchsorted(ends, depth), len(ends) - 1)
-        return 0.5 * diameters[section] - self.string["outer_radius"]
+        starts = np.concatenate([self.well["measured_depth"][:1], ends[:-1]])[section]
+        share = np.clip((depth - starts) / (ends[section] - starts), 0, 1)
+        narrowing = self.well.get("section_end_diameter", diameters) - diameters
+        diameter = diameters[section] + share * narrowing[section]
+        return 0.5 * diameter - self.string["outer_radius"]
 
 
 def read_result(path):

@@ -21,14 +21,8 @@ struct WallRows {
           tangent(std::as_const(wall).triples(WallRow::tangent, first)),
           normal_to_axis(std::as_const(wall).triples(WallRow::normal_to_axis, first)),
           curvature(wall.row(WallRow::curvature) + first),
-          hole_start(wall.row(WallRow::hole_start) + first),
-          widening(wall.row(WallRow::widening) + first),
-          stiffness_start(wall.row(WallRow::stiffness_start) + first),
-          stiffening(wall.row(WallRow::stiffening) + first),
-          static_axial(wall.row(WallRow::static_axial) + first),
-          static_azimuthal(wall.row(WallRow::static_azimuthal) + first),
-          dynamic_axial(wall.row(WallRow::dynamic_axial) + first),
-          dynamic_azimuthal(wall.row(WallRow::dynamic_azimuthal) + first),
+          hole(wall.row(WallRow::hole) + first),
+          stiffness(wall.row(WallRow::stiffness) + first),
           end_cosine(wall.row(WallRow::end_cosine) + first),
           reach(wall.row(WallRow::reach) + first),
           concentric_axial(wall.row(WallRow::concentric_axial) + first),
@@ -41,8 +35,6 @@ struct WallRows {
           inside(surroundings.row(Surroundings::inside) + first),
           displaced(surroundings.row(Surroundings::displaced) + first),
           dashpot(wall.row(WallRow::damping) + first),
-          hole(wall.row(WallRow::hole) + first),
-          stiffness(wall.row(WallRow::stiffness) + first),
           elongation_axial(wall.row(WallRow::elongation_axial) + first),
           elongation_azimuthal(wall.row(WallRow::elongation_azimuthal) + first),
           sliding(wall.row(WallRow::sliding) + first),
@@ -56,38 +48,16 @@ struct WallRows {
           rebounds(wall.row(WallRow::rebounds) + first) {}
 
     ConstTriples start{}, tangent{}, normal_to_axis{};
-    const double *curvature = nullptr, *hole_start = nullptr, *widening = nullptr,
-                 *stiffness_start = nullptr, *stiffening = nullptr, *static_axial = nullptr,
-                 *static_azimuthal = nullptr, *dynamic_axial = nullptr,
-                 *dynamic_azimuthal = nullptr, *end_cosine = nullptr, *reach = nullptr,
-                 *concentric_axial = nullptr, *cross_flow = nullptr, *swirl = nullptr,
-                 *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr, *body = nullptr,
-                 *inside = nullptr, *displaced = nullptr, *dashpot = nullptr;
-    double *hole = nullptr, *stiffness = nullptr, *elongation_axial = nullptr,
-           *elongation_azimuthal = nullptr, *sliding = nullptr, *depth = nullptr, *normal = nullptr,
-           *slip_axial = nullptr, *slip_azimuthal = nullptr, *rolling = nullptr,
-           *fluid_mass = nullptr, *leaves = nullptr, *rebounds = nullptr;
+    const double *curvature = nullptr, *hole = nullptr, *stiffness = nullptr, *end_cosine = nullptr,
+                 *reach = nullptr, *concentric_axial = nullptr, *cross_flow = nullptr,
+                 *swirl = nullptr, *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr,
+                 *body = nullptr, *inside = nullptr, *displaced = nullptr, *dashpot = nullptr;
+    double *elongation_axial = nullptr, *elongation_azimuthal = nullptr, *sliding = nullptr,
+           *depth = nullptr, *normal = nullptr, *slip_axial = nullptr, *slip_azimuthal = nullptr,
+           *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr, *rebounds = nullptr;
 
     DRILLSTRAND_INLINE ArcNumbers arc(std::size_t k) const {
         return {start[k], tangent[k], normal_to_axis[k], curvature[k], hole[k]};
-    }
-    /// Where the wall varies along the well: radius and stiffness at the node, which the rows
-    /// then hold, and how they grow along l.
-    struct Slopes {
-        double hole, stiffness;
-    };
-    DRILLSTRAND_INLINE Slopes vary(std::size_t k, const WellFrame& frame) const {
-        const AlongArc radius = along_arc(frame, hole_start[k], widening[k]);
-        const AlongArc firmness = along_arc(frame, stiffness_start[k], stiffening[k]);
-        hole[k] = radius.value;
-        stiffness[k] = firmness.value;
-        return {radius.slope, firmness.slope};
-    }
-    /// The friction of the section that the node is in.
-    DRILLSTRAND_INLINE FrictionParameters friction(std::size_t k,
-                                                   const FrictionParameters& shared) const {
-        return shared.with({static_axial[k], static_azimuthal[k]},
-                           {dynamic_axial[k], dynamic_azimuthal[k]});
     }
     DRILLSTRAND_INLINE FlowInertia flow(std::size_t k) const {
         return {cross_flow[k], swirl[k], swirl_reynolds[k], stream[k]};
@@ -108,6 +78,52 @@ struct WallRows {
     }
     DRILLSTRAND_INLINE FrictionSpring spring(std::size_t k) const {
         return {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};
+    }
+};
+
+/// A wall that is the same all along the well. Kernels have a version for each of both kinds: what
+/// does not vary costs nothing.
+struct EvenWall {
+    static constexpr bool varies = false;
+    EvenWall(const Table<WallRow>& /*wall*/, std::ptrdiff_t /*first*/) {}
+};
+
+/// A wall whose radius, stiffness or friction vary along the well.
+struct VaryingWall {
+    static constexpr bool varies = true;
+    VaryingWall(Table<WallRow>& wall, std::ptrdiff_t first)
+        : hole_start(wall.row(WallRow::hole_start) + first),
+          widening(wall.row(WallRow::widening) + first),
+          stiffness_start(wall.row(WallRow::stiffness_start) + first),
+          stiffening(wall.row(WallRow::stiffening) + first),
+          static_axial(wall.row(WallRow::static_axial) + first),
+          static_azimuthal(wall.row(WallRow::static_azimuthal) + first),
+          dynamic_axial(wall.row(WallRow::dynamic_axial) + first),
+          dynamic_azimuthal(wall.row(WallRow::dynamic_azimuthal) + first),
+          hole(wall.row(WallRow::hole) + first),
+          stiffness(wall.row(WallRow::stiffness) + first) {}
+
+    const double *hole_start, *widening, *stiffness_start, *stiffening, *static_axial,
+        *static_azimuthal, *dynamic_axial, *dynamic_azimuthal;
+    double *hole, *stiffness;
+
+    /// How radius and stiffness grow along l.
+    struct Slopes {
+        double hole, stiffness;
+    };
+    /// Writes radius and stiffness at the node into their rows.
+    DRILLSTRAND_INLINE Slopes vary(std::size_t k, const WellFrame& frame) const {
+        const AlongArc radius = along_arc(frame, hole_start[k], widening[k]);
+        const AlongArc firmness = along_arc(frame, stiffness_start[k], stiffening[k]);
+        hole[k] = radius.value;
+        stiffness[k] = firmness.value;
+        return {radius.slope, firmness.slope};
+    }
+    /// The friction of the section that the node is in.
+    DRILLSTRAND_INLINE FrictionParameters friction(std::size_t k,
+                                                   const FrictionParameters& shared) const {
+        return shared.with({static_axial[k], static_azimuthal[k]},
+                           {dynamic_axial[k], dynamic_azimuthal[k]});
     }
 };
 

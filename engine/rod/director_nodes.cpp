@@ -21,9 +21,9 @@ enum class Around { nothing, wall, mud, streaming_mud };
 /// (`u`), the eccentricity, what a force across the well does to the velocity (`across`: kick over
 /// the mass that moves sideways), 1 where the node came to the wall since the last step (`came`),
 /// the annulus around it, the mass of the fluid that goes along and its slope, the drag of creeping
-/// flow, and, where the wall varies along the well, how its radius and stiffness grow down the
-/// well.
-using Held = HeldLines<33>;
+/// flow. Where the wall varies along the well, how its radius and stiffness grow down the well:
+/// what touches it needs them before the drag is there, whose lines they have.
+using Held = HeldLines<31>;
 struct HeldRows {
     explicit HeldRows(Held& held)
         : v(held.triples(0)),
@@ -49,8 +49,8 @@ struct HeldRows {
           drag_around(held.line[28]),
           drag_cross(held.line[29]),
           drag_spin(held.line[30]),
-          widening(held.line[31]),
-          stiffening(held.line[32]) {}
+          widening(held.line[26]),
+          stiffening(held.line[27]) {}
     Triples v, v_rod, r, l;
     double *s, *s_rod, *u_r, *u_l, *u_t, *eccentricity, *across, *fluid_mass, *came,
         *annulus_spread, *annulus_sinh, *annulus_cosh, *annulus_distance, *fluid_slope,
@@ -275,11 +275,11 @@ struct WellNodes {
         double leaves, touches, touched, impact;
     };
     /// Finds its place, and, where no fluid goes along, its velocity in the well.
-    template <bool varied_wall>
-    DRILLSTRAND_INLINE Place surround(std::size_t k) const {
+    template <class Wall>
+    DRILLSTRAND_INLINE Place surround(std::size_t k, const Wall& varying) const {
         const WellFrame frame = well_frame(in.x[k], wall.arc(k));
-        if constexpr (varied_wall) {
-            const auto slopes = wall.vary(k, frame);
+        if constexpr (Wall::varies) {
+            const auto slopes = varying.vary(k, frame);
             h.widening[k] = slopes.hole;
             h.stiffening[k] = slopes.stiffness;
         }
@@ -425,10 +425,11 @@ struct WellNodes {
 
     /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
     /// that of a node that sticks is then none, whatever pulls at it.
-    template <FrictionLaw law, bool varied_wall>
-    DRILLSTRAND_INLINE double rub(std::size_t k) const {
+    template <FrictionLaw law, class Wall>
+    DRILLSTRAND_INLINE double rub(std::size_t k, const Wall& varying) const {
         const Mobility m = mobility(k);
-        const FrictionParameters its = varied_wall ? wall.friction(k, friction) : friction;
+        FrictionParameters its = friction;
+        if constexpr (Wall::varies) its = varying.friction(k, friction);
         const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
         const double dr = wall.depth[k];
         const double normal = wall.normal[k];
@@ -510,15 +511,15 @@ struct Met {
     double leavers, touching, touched, impacts;
 };
 
-template <bool varied_wall, class Well>
-DRILLSTRAND_INLINE Met surround_nodes(const Well& well, std::size_t count) {
+template <class Wall, class Well>
+DRILLSTRAND_INLINE Met surround_nodes(const Well& well, const Wall& wall, std::size_t count) {
     double leavers = 0.0;
     double touching = 0.0;
     double touched = 0.0;
     double impacts = 0.0;
 #pragma omp simd reduction(+ : leavers, touching, touched, impacts)
     for (std::size_t k = 0; k < count; ++k) {
-        const auto place = well.template surround<varied_wall>(k);
+        const auto place = well.surround(k, wall);
         leavers += place.leaves;
         touching += place.touches;
         touched += place.touched;
@@ -529,25 +530,25 @@ DRILLSTRAND_INLINE Met surround_nodes(const Well& well, std::size_t count) {
 
 /// Pressing and rubbing in two loops: what waits for the one does not hold up the other. Returns
 /// how many nodes began to slide.
-template <bool varied_wall, class Well>
-DRILLSTRAND_INLINE double touch_wall(const Well& well, std::size_t count) {
+template <class Wall, class Well>
+DRILLSTRAND_INLINE double touch_wall(const Well& well, const Wall& wall, std::size_t count) {
 #pragma omp simd
     for (std::size_t k = 0; k < count; ++k)
-        well.template press<varied_wall>(k);
+        well.template press<Wall::varies>(k);
     if (well.restitution >= 0.0) {
 #pragma omp simd
         for (std::size_t k = 0; k < count; ++k)
-            well.template rebound<varied_wall>(k);
+            well.template rebound<Wall::varies>(k);
     }
     double slips = 0.0;
     if (well.friction.law == FrictionLaw::paper) {
 #pragma omp simd reduction(+ : slips)
         for (std::size_t k = 0; k < count; ++k)
-            slips += well.template rub<FrictionLaw::paper, varied_wall>(k);
+            slips += well.template rub<FrictionLaw::paper>(k, wall);
     } else {
 #pragma omp simd reduction(+ : slips)
         for (std::size_t k = 0; k < count; ++k)
-            slips += well.template rub<FrictionLaw::coulomb, varied_wall>(k);
+            slips += well.template rub<FrictionLaw::coulomb>(k, wall);
     }
     return slips;
 }
@@ -581,10 +582,9 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
     } else {
         const WellNodes<heavy, damped> well(model, wall, nodes.c, nodes.in, held, first, kick,
                                             drift);
-        // two versions of these loops: a wall that is the same all along costs nothing more
         const bool varied_wall = model.features.varied_wall;
-        const Met met =
-            varied_wall ? surround_nodes<true>(well, count) : surround_nodes<false>(well, count);
+        const Met met = varied_wall ? surround_nodes(well, VaryingWall(wall, first), count)
+                                    : surround_nodes(well, EvenWall(wall, first), count);
         if constexpr (heavy) {
 #pragma omp simd
             for (std::size_t k = 0; k < count; ++k)
@@ -600,7 +600,8 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
         double slips = 0.0;
         const bool contact = met.touching + met.touched > 0.0;
         if (contact) {
-            slips = varied_wall ? touch_wall<true>(well, count) : touch_wall<false>(well, count);
+            slips = varied_wall ? touch_wall(well, VaryingWall(wall, first), count)
+                                : touch_wall(well, EvenWall(wall, first), count);
         }
 
         constexpr bool in_mud = around == Around::mud || around == Around::streaming_mud;

@@ -294,7 +294,7 @@ DRILLSTRAND_KERNEL void chain_segments_of_block(const double (*step)[block_size]
 enum class Around { nothing, wall, mud };
 
 /// Nodes of one block. Features are known at compile time: what is off is not compiled in.
-template <Around around, bool heavy, bool with_damping, bool varied_wall>
+template <Around around, bool heavy, bool with_damping, class Wall>
 DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<StrandRow>& state,
                                          Table<StrandRow>& rate, const Table<Work>& work,
                                          const Pose& start, Table<WallRow>& wall,
@@ -331,6 +331,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
 
     const SurroundingsParameters& parameters = model.surroundings.parameters();
     const WallRows around_node = in_well ? WallRows(model.surroundings, wall, first) : WallRows();
+    const Wall varying(wall, first);
     const FrictionParameters shared_friction = parameters.friction;
     const double cone = shared_friction.cone();
     const double least_normal = parameters.least_normal;
@@ -398,13 +399,15 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
 
             // where the wall varies its normal leans: it also pushes to where the hole is wide and
             // the wall soft
-            WallRows::Slopes slopes = {0.0, 0.0};
-            if constexpr (varied_wall) slopes = around_node.vary(k, frame);
-            const FrictionParameters friction =
-                varied_wall ? around_node.friction(k, shared_friction) : shared_friction;
+            VaryingWall::Slopes slopes = {0.0, 0.0};
+            FrictionParameters friction = shared_friction;
+            if constexpr (Wall::varies) {
+                slopes = varying.vary(k, frame);
+                friction = varying.friction(k, shared_friction);
+            }
             const double dr =
                 penetration(frame.eccentricity, around_node.hole[k], around_node.pipe[k]);
-            const double approach = varied_wall ? v_r + slopes.hole * v_l : v_r;
+            const double approach = Wall::varies ? v_r + slopes.hole * v_l : v_r;
             const double normal = normal_force(dr, approach, around_node.stiffness[k],
                                                around_node.dashpot[k], least_normal);
             const FrictionSpring spring = around_node.spring(k);
@@ -422,7 +425,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
             double f_l = rub.axial;
             double f_t = rub.azimuthal;
             double c_l = around_node.pipe[k] * rub.azimuthal;
-            if constexpr (varied_wall) {
+            if constexpr (Wall::varies) {
                 const double depth = dr > 0.0 ? dr : 0.0;
                 f_l += slopes.hole * normal - 0.5 * slopes.stiffness * depth * depth;
             }
@@ -505,8 +508,8 @@ using NodeKernel = double (*)(const StrandModel&, const Table<StrandRow>&, Table
 template <Around around, bool heavy, bool with_damping>
 NodeKernel node_kernel_around(const StrandModel& model) {
     return model.features.varied_wall
-               ? at_level<nodes_of_block<around, heavy, with_damping, true>>(model.level)
-               : at_level<nodes_of_block<around, heavy, with_damping, false>>(model.level);
+               ? at_level<nodes_of_block<around, heavy, with_damping, VaryingWall>>(model.level)
+               : at_level<nodes_of_block<around, heavy, with_damping, EvenWall>>(model.level);
 }
 
 template <bool heavy, bool with_damping>
@@ -518,7 +521,8 @@ NodeKernel node_kernel_in_well(const StrandModel& model) {
 template <bool with_damping>
 NodeKernel node_kernel_damped(const StrandModel& model) {
     if (!model.features.well)
-        return at_level<nodes_of_block<Around::nothing, false, with_damping, false>>(model.level);
+        return at_level<nodes_of_block<Around::nothing, false, with_damping, EvenWall>>(
+            model.level);
     return model.features.fluid_mass ? node_kernel_in_well<true, with_damping>(model)
                                      : node_kernel_in_well<false, with_damping>(model);
 }

@@ -13,12 +13,17 @@ def datasets(file):
     return found
 
 
+def content(values):
+    """Texts are held by reference."""
+    return values.tolist() if values.dtype == object else values.tobytes()
+
+
 with h5py.File(sys.argv[1]) as left, h5py.File(sys.argv[2]) as right:
     lefts, rights = datasets(left), datasets(right)
     different = sorted(lefts.keys() ^ rights.keys())
     different += [name for name in sorted(lefts.keys() & rights.keys())
                   if lefts[name].shape != rights[name].shape
-                  or lefts[name].tobytes() != rights[name].tobytes()]
+                  or content(lefts[name]) != content(rights[name])]
     different += [name for name in ("title", "case", "integrator", "status")
                   if left.attrs[name] != right.attrs[name]]
     if not any(numpy.size(values) for values in lefts.values()):
