@@ -170,11 +170,14 @@ class Export(SmallRun):
         data = read_vtk(self.folder / "vtk" / "well.vtp")
         points = vtk_to_numpy(data.GetPoints().GetData())
         fields = arrays(data.GetPointData())
-        upper, lower = lines_of(data)
+        upper, shoulder, lower = lines_of(data)
         np.testing.assert_array_equal(fields["radius[m]"][upper], 0.17)
+        np.testing.assert_allclose(fields["radius[m]"][shoulder], (0.17 + 0.15555) / 2, rtol=1e-12)
         np.testing.assert_array_equal(fields["radius[m]"][lower], 0.15555)
         depth = fields["measured_depth[m]"]
-        self.assertEqual((depth[upper[-1]], depth[lower[0]]), (103.5, 103.5))
+        self.assertEqual((depth[upper[-1]], depth[shoulder[0]]), (103.5, 103.5))
+        self.assertAlmostEqual(depth[shoulder[-1]], 103.5 + 0.34, delta=1e-9)
+        self.assertEqual(depth[lower[0]], depth[shoulder[-1]])
         self.assertTrue((np.diff(depth[upper]) > 0).all() and (np.diff(depth[lower]) > 0).all())
         stations = self.file["well/measured_depth"][...]
         # the survey, or the string where it reaches deeper
