@@ -31,14 +31,13 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
     const double* dynamic_azimuthal = wall.row(WallRow::dynamic_azimuthal) + first;
     // a copy, which the stores below cannot change: a reference would be read again, by branches
     const FrictionParameters shared = surroundings.parameters().friction;
-#pragma omp simd
-    for (std::size_t k = 0; k < block_size; ++k) {
+    const auto advance = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const FrictionSpring spring = {{elongation_axial[k], elongation_azimuthal[k]}, sliding[k]};
         const Tangential slip = {dt * slip_axial[k], dt * slip_azimuthal[k]};
-        const FrictionParameters friction =
-            varied_wall ? shared.with({static_axial[k], static_azimuthal[k]},
-                                      {dynamic_axial[k], dynamic_azimuthal[k]})
-                        : shared;
+        FrictionParameters friction = shared;
+        if constexpr (varied_wall)
+            friction = shared.with({static_axial[k], static_azimuthal[k]},
+                                   {dynamic_axial[k], dynamic_azimuthal[k]});
         const FrictionSpring next =
             law == FrictionLaw::paper
                 ? paper_spring(spring, slip, dt * rolling[k], stiffness[k] * depth[k], depth[k],
@@ -47,7 +46,10 @@ DRILLSTRAND_KERNEL void advance_springs_of_block(const Surroundings& surrounding
         elongation_axial[k] = next.elongation.axial;
         elongation_azimuthal[k] = next.elongation.azimuthal;
         sliding[k] = next.sliding;
-    }
+    };
+#pragma omp simd
+    for (std::size_t k = 0; k < block_size; ++k)
+        advance(k);
 }
 
 template <FrictionLaw law>
