@@ -146,13 +146,15 @@ void lump_on_cubics(StringMesh& mesh, const StringLayout& layout, bool head_is_f
     lumping.lump(mesh.cell, mesh.node);
 }
 
-/// Segments between nodes. On a mesh of one length all have that, to the last bit.
+/// Segments between nodes. On a mesh of `segments` of one length all have that, to the last bit.
 void add_segments(StringMesh& mesh, const StringLayout& layout, int segments) {
     const std::vector<double>& s = mesh.node_s;
     Walk whole(layout);
     Walk middles(layout);
     for (std::size_t k = 0; k + 1 < s.size(); ++k) {
-        const double middle = 0.5 * (s[k] + s[k + 1]);
+        const double middle = segments > 0
+                                  ? layout.length() * ((static_cast<double>(k) + 0.5) / segments)
+                                  : 0.5 * (s[k] + s[k + 1]);
         mesh.segment_s.push_back(middle);
         mesh.length.push_back(segments > 0 ? layout.length() / segments : s[k + 1] - s[k]);
         mesh.segment.push_back(whole.mean_over(s[k], s[k + 1]));

@@ -6,15 +6,6 @@ import h5py
 import numpy
 
 
-def same(left, right):
-    """Bit by bit; texts of any length, which NumPy keeps as objects, by their letters."""
-    if left.shape != right.shape or left.dtype != right.dtype:
-        return False
-    if left.dtype == object:
-        return left.tolist() == right.tolist()
-    return left.tobytes() == right.tobytes()
-
-
 def datasets(file):
     found = {}
     file.visititems(lambda name, item: found.update({name: item[()]})

@@ -42,6 +42,7 @@ const std::vector<Kernel> kernels = {
     {"surroundings: advance_springs_of_block", 8, loop_share, 4},
     {"dormand_prince: block_error"},
     {"dormand_prince: stage_state", 8, 0.7},  // six scalar tails: its count is not a constant
+    {"director_report: report_block", 8, loop_share},
     {"guards: read_guards"},
 };
 
