@@ -30,7 +30,13 @@ struct Options {
     double cfl = 0.9;
     int most_segments = 0;
     int jobs = 0;
+    bool assemblies = false;
 };
+
+Case scene_case(int index, const Options& options) {
+    return options.assemblies ? assembly_scene(options.seed, index, options.duration)
+                              : stress_scene(options.seed, index, options.duration);
+}
 
 /// What a run did that may show an instability.
 class Watch : public Observer {
@@ -88,7 +94,7 @@ double steepest_dogleg(const Case& input) {
     return *std::max_element(severities.begin(), severities.end());
 }
 
-std::string describe(const Case& input) {
+std::string describe(const Case& input, const Scene& scene) {
     constexpr double per_30_metres = 30 * 180 / 3.14159265358979323846;
     const bool free = input.head.motion == HeadMotion::free;
     double least = 1e9;
@@ -102,8 +108,8 @@ std::string describe(const Case& input) {
     return fmt::format(
         "{:.0f},{},{},{:.4f},{:.4f},{:.2f},{},{:.1f},{},{:.0f},{:.1f},{},{:.2f},{:.2f},{:.2f},"
         "{:.2f},{:.3g},{:.3g},{},{:.0f},{:.3f},{:.3g},{:.3g},{:.3g}",
-        length, input.mesh.segments, input.string.components.size(), least, most,
-        length / input.mesh.segments, input.well->sections.size(),
+        length, scene.segments, input.string.components.size(), least, most,
+        length / scene.segments, input.well->sections.size(),
         steepest_dogleg(input) * per_30_metres, free ? "free" : "driven",
         free ? 0 : input.head.rotation.values().back() * 60 / 6.283185307179586,
         input.bit.weight.values().back() / 1000,
@@ -125,7 +131,7 @@ constexpr const char* header =
     "residual,gain,penetration_m,impacts,slips,processor_s,why";
 
 std::string report(int index, const Options& options) {
-    const Case input = stress_scene(options.seed, index, options.duration);
+    const Case input = scene_case(index, options);
     const double start = processor_seconds();  // this thread does all the work of its scene
     Watch watch;
     StepStatistics statistics;
@@ -133,15 +139,14 @@ std::string report(int index, const Options& options) {
     const Outcome outcome = run_scene(scene, options, watch, statistics);
     const double spent = processor_seconds() - start;
     return fmt::format("{},{},{},{:.1f},{},{:.3g},{:.3g},{:.4g},{},{},{:.2f},\"{}\"\n", index,
-                       describe(input), outcome.kind, watch.last.time, statistics.steps,
+                       describe(input, scene), outcome.kind, watch.last.time, statistics.steps,
                        watch.residual(), watch.gain(), watch.penetration, watch.last.impacts,
                        watch.last.slips, spent, outcome.why);
 }
 
 bool is_too_large(int index, const Options& options) {
     return options.most_segments > 0 &&
-           stress_scene(options.seed, index, options.duration).mesh.segments >
-               options.most_segments;
+           build_scene(scene_case(index, options)).segments > options.most_segments;
 }
 
 void run_all(const Options& options) {
@@ -188,6 +193,8 @@ int main(int argc, char** argv) {
     app.add_option("--most-segments", options.most_segments, "leave larger scenes out; 0: none")
         ->capture_default_str();
     app.add_option("--cfl", options.cfl)->capture_default_str();
+    app.add_flag("--assemblies", options.assemblies,
+                 "strings with tool joints, stabilisers and bits on meshes that follow them");
     app.add_option("--jobs", options.jobs, "scenes at a time; 0: all cores")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     drillstrand::bench::run_all(options);

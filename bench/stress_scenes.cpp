@@ -300,6 +300,68 @@ int draw_segments(Draw& draw, const Case& input, double length) {
     return std::max(4, static_cast<int>(std::round(length / element)));
 }
 
+/// Tool joints on drill pipe, as far as the hole has room for them.
+void add_tool_joints(Draw& draw, std::vector<Component>& string, double narrowest) {
+    for (Component& component : string) {
+        const bool is_casing = component.outer_diameter > 6.8 * inch;
+        const bool is_thick = component.inner_diameter < 0.7 * component.outer_diameter;
+        const double most = std::min(component.outer_diameter + 1.6 * inch, 0.97 * narrowest);
+        if (is_casing || is_thick || component.length < 30 || most < component.outer_diameter)
+            continue;
+        ToolJoints joints;
+        joints.spacing = draw.uniform(9, 14);
+        joints.outer_diameter = draw.uniform(component.outer_diameter, most);
+        joints.inner_diameter = component.inner_diameter;
+        joints.length = draw.uniform(0.3, 0.6);
+        component.linear_density *= draw.uniform(1.05, 1.25);
+        component.joints = joints;
+    }
+}
+
+/// Takes a piece off the string's lower end.
+Component cut_off(std::vector<Component>& string, double length, const char* name) {
+    Component piece = string.back();
+    piece.name = name;
+    piece.length = length;
+    piece.joints.reset();
+    string.back().length -= length;
+    return piece;
+}
+
+/// Bit, stabilisers and perhaps a bend and an unbalance at the lower end.
+void add_assembly(Draw& draw, std::vector<Component>& string, double hole) {
+    std::vector<Component> lower;
+    Component bit = cut_off(string, draw.uniform(0.3, 1), "bit");
+    bit.contact = ContactPoint{bit.length, hole, draw.uniform(0.1, 0.3), {}};
+    lower.push_back(bit);
+    const int stabilisers = draw.whole(0, 3);
+    for (int i = 0; i < stabilisers && string.back().length > 40; ++i) {
+        Component body = cut_off(string, draw.uniform(3, 12), "body");
+        if (draw.chance(0.2))
+            body.bend = BentPlace{draw.uniform(0, body.length), draw.uniform(0, 2) * degree,
+                                  draw.uniform(0, 2 * pi)};
+        if (draw.chance(0.3))
+            body.eccentric = Eccentricity{draw.uniform(0, body.length), draw.uniform(0, 2)};
+        Component stabiliser = cut_off(string, draw.uniform(1, 2), "stabiliser");
+        const double blade = std::max(stabiliser.outer_diameter, draw.uniform(0.93, 1) * hole);
+        stabiliser.contact =
+            ContactPoint{draw.uniform(0, stabiliser.length), blade, draw.uniform(0.2, 0.6), {}};
+        lower.push_back(body);
+        lower.push_back(stabiliser);
+    }
+    string.insert(string.end(), lower.rbegin(), lower.rend());
+}
+
+void draw_walls(Draw& draw, std::vector<WellSectionCase>& sections) {
+    for (WellSectionCase& section : sections) {
+        const double sticking = draw.uniform(0.1, 0.6);
+        section.static_friction = {sticking, sticking};
+        const double sliding = sticking * draw.uniform(0.6, 1);
+        section.dynamic_friction = {sliding, sliding};
+        if (draw.chance(0.3)) section.normal_stiffness = draw.log_uniform(1e6, 1e9);
+    }
+}
+
 }  // namespace
 
 Case stress_scene(unsigned seed, int index, double duration) {
@@ -320,6 +382,18 @@ Case stress_scene(unsigned seed, int index, double duration) {
     input.mesh.segments = draw_segments(draw, input, length);
     input.run.integrator = IntegratorKind::leapfrog;
     input.run.duration = duration;
+    return input;
+}
+
+Case assembly_scene(unsigned seed, int index, double duration) {
+    Case input = stress_scene(seed, index, duration);
+    Draw draw(seed + 1, index);
+    const double hole = input.well->sections.back().diameter;
+    input.mesh.element_length = total_length(input.string) / input.mesh.segments;
+    input.mesh.segments = 0;
+    add_tool_joints(draw, input.string.components, hole);
+    add_assembly(draw, input.string.components, hole);
+    draw_walls(draw, input.well->sections);
     return input;
 }
 

@@ -10,4 +10,9 @@ namespace drillstrand::bench {
 /// from which range is said in bench/README.md.
 Case stress_scene(unsigned seed, int index, double duration);
 
+/// The same scene as a rig has it: pipe with tool joints, a bit as wide as its hole, stabilisers,
+/// perhaps a bent motor and an eccentric mass, on a mesh that follows the string, in casing and
+/// open hole of their own friction.
+Case assembly_scene(unsigned seed, int index, double duration);
+
 }  // namespace drillstrand::bench
