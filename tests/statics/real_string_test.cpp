@@ -272,5 +272,30 @@ TEST(BentMotor, InATurnPressesTheWallAsTheVendorsProgramSays) {
     }
 }
 
+// ------------------------------------------------------------------ graded meshes
+
+/// A pipe of 24 m clamped level at its head, on segments of a quarter of the length around a place.
+std::string graded_cantilever(int mesh) {
+    const double h = 24.0 / mesh;
+    return "gravity = 9.81\n" + test::table_2_pipe +
+           fmt::format(
+               "[mesh]\nelement_length = {:.17g}\n"
+               "refine = [{{from = 8, to = 11, element_length = {:.17g}}}]\n"
+               "[head]\ndirection = [1, 0, 0]\n",
+               h, h / 4);
+}
+
+TEST(GradedMesh, OfACantileverConvergesToTheExactTipAtFourthOrder) {
+    const Vector3d exact(22.948260142372, 0, 6.566100128076828);
+    const auto error = [&](int mesh) {
+        const Equilibrium found =
+            find_equilibrium(build_scene(test::case_from(graded_cantilever(mesh))));
+        return (found.series.bit_position - exact).norm();
+    };
+    EXPECT_LT(error(8), 0.2e-3);
+    // lengths are whole parts of stretches: they do not halve to the last digit
+    EXPECT_NEAR(std::log2(error(8) / error(32)) / 2, 4, 0.5);
+}
+
 }  // namespace
 }  // namespace drillstrand

@@ -225,7 +225,7 @@ TEST_F(TorqueDragProgram, StringThatDoesNotFitAtADepthIsRefused) {
             "string.component.0.length=200 --set 'torque_drag.depths=[250, 400]'");
     EXPECT_EQ(ending.code, 2);
     EXPECT_THAT(ending.text, HasSubstr("with the bit at 400 m, component 1 (\"pipe\") has an outer "
-                                       "diameter of 0.25 m; expected less than 0.22 m"));
+                                       "diameter of 0.25 m; expected at most 0.22 m"));
 }
 
 TEST_F(TorqueDragProgram, CaseWithoutWellIsRefused) {

@@ -165,6 +165,27 @@ TEST_P(RodVibration, PipeOfTable2SwingsAtTimoshenkosFrequencies) {
     }
 }
 
+TEST(GradedMesh, ErrsInFrequenciesByNoMoreThanTheEvenMeshOfItsLongestSegments) {
+    // as above; segments shrink to a quarter of their length and grow again
+    std::array<double, 3> exact = {0.23437231261569874, 1.4685681558197325, 4.111047292563715};
+    for (double& f : exact)
+        f *= 2 * pi;
+    for (const int segments : {8, 16}) {
+        const double h = 24.0 / segments;
+        const std::string graded = fmt::format(
+            "[mesh]\nelement_length = {:.17g}\n"
+            "refine = [{{from = 8, to = 11, element_length = {:.17g}}}]\n"
+            "[run]\nduration = 30\nstress_limit = 0\n",
+            h, h / 4);
+        const std::string even = mesh_and_run(IntegratorKind::leapfrog, segments, false, 30);
+        const auto found = frequencies_after_tap(table_2_pipe(), exact, graded, 10);
+        const auto beside = frequencies_after_tap(table_2_pipe(), exact, even, 10);
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            EXPECT_LT(std::abs(found[i] / exact[i] - 1), std::abs(beside[i] / exact[i] - 1))
+                << "mode " << i + 1 << " on " << segments;
+    }
+}
+
 /// A beam of unit length, mass and bending stiffness, as thick as I/(A L2) = 0.0025 makes it.
 Section thick_beam(double shear) {
     return {.length = 1,
