@@ -142,8 +142,8 @@ ContactCase read_contact(const Table& root) {
                                               contact.normal_stiffness, plausible::wall_stiffness);
     if (const std::optional<Value> point = table.find("point_stiffness"))
         contact.point_stiffness = point->quantity(dimension::pressure, plausible::wall_stiffness);
-    else if (table.find("normal_stiffness"))
-        contact.point_stiffness = contact.normal_stiffness;
+    else
+        contact.point_stiffness = std::max(contact.point_stiffness, contact.normal_stiffness);
     contact.normal_damping = table.quantity("normal_damping", dimension::viscosity,
                                             contact.normal_damping, plausible::wall_damping);
     if (const std::optional<Value> restitution = table.find("restitution")) {

@@ -374,11 +374,14 @@ TEST(GoodCases, WholeNumbersMayBeWrittenAsReals) {
     EXPECT_EQ(read_trial("segments = 50", "segments = 5e1").mesh.segments, 50);
 }
 
-TEST(GoodCases, WhereTheWallIsStatedContactPointsPressOnIt) {
+TEST(GoodCases, ContactPointsPressOnRockOrOnAWallThatIsFirmer) {
     EXPECT_EQ(read_trial("[run]", "[run]").contact.point_stiffness, 6e8);
     EXPECT_EQ(
         read_trial("[run]", "[contact]\nnormal_stiffness = 2e7\n[run]").contact.point_stiffness,
-        2e7);
+        6e8);
+    EXPECT_EQ(
+        read_trial("[run]", "[contact]\nnormal_stiffness = 2e9\n[run]").contact.point_stiffness,
+        2e9);
     EXPECT_EQ(read_trial("[run]", "[contact]\nnormal_stiffness = 2e7\npoint_stiffness = 3e9\n[run]")
                   .contact.point_stiffness,
               3e9);
