@@ -459,6 +459,26 @@ void tell_of_long_search(const Case& input) {
             segments_of(input));
 }
 
+/// Weights of drill pipe in tables are often those with tool joints, whose steel displaces more mud
+/// and touches the wall elsewhere than the pipe's own section says.
+void advise_tool_joints(const Case& input) {
+    constexpr double heavier = 1.1;  // than the steel of its section
+    constexpr double stiff = 150e9;  // Pa: steel
+    constexpr double longer = 30;    // m: more than one piece
+    for (const Component& component : input.string.components) {
+        if (component.joints || component.material_density || component.outer_diameter == 0 ||
+            component.youngs_modulus < stiff || component.length < longer)
+            continue;
+        const double density =
+            component.linear_density / section_properties(component, 1).metal_area;
+        if (density > heavier * steel_density)
+            fmt::print(
+                "Advice: {} weighs {:.0f} kg/m3 over its section; if that is with tool joints, "
+                "joint_length and tool_joint_outer_diameter let them touch and displace mud\n",
+                component.name.empty() ? "a component" : component.name, density);
+    }
+}
+
 void advise_equilibrium(const Case& input, const Scene& scene) {
     if (falls_at_the_start(input, scene))
         fmt::print(
@@ -485,6 +505,7 @@ int check(const CheckOptions& options) {
     warn_of_cut_corners(input, scene);
     warn_of_paper_friction(scene);
     advise_equilibrium(input, scene);
+    advise_tool_joints(input);
     tell_of_long_search(input);
     return done;
 }
