@@ -113,14 +113,14 @@ double largest_curvature(const WellCase& well) {
 }
 
 /// Radius of the well less that of the pipe at each node, with the string lying in the well (m).
-std::vector<double> clearances(const Scene& scene) {
+std::vector<double> clearances(const Scene& scene, double SectionProperties::*radius) {
     const Well& well = *scene.well;
     const std::size_t arc = well.find_arc(scene.head_position, well.arc_at(0));
     const double head_depth = well.project(scene.head_position, arc).measured_depth;
     std::vector<double> clearances;
     for (std::size_t k = 0; k < scene.mesh.node_s.size(); ++k)
         clearances.push_back(well.at(head_depth + scene.mesh.node_s[k]).radius -
-                             scene.mesh.node[k].outer_radius);
+                             scene.mesh.node[k].*radius);
     return clearances;
 }
 
@@ -152,7 +152,7 @@ void print_well(const Case& input, const Scene& scene) {
     const auto steepest = std::max_element(
         survey.begin(), survey.end(),
         [](const auto& left, const auto& right) { return left.inclination < right.inclination; });
-    const std::vector<double> gaps = clearances(scene);
+    const std::vector<double> gaps = clearances(scene, &SectionProperties::outer_radius);
     const auto tightest = std::min_element(gaps.begin(), gaps.end());
     line("survey", fmt::format("{} stations, {} to {}", survey.size(),
                                length_text(survey.front().measured_depth),
@@ -401,7 +401,7 @@ void warn_of_cut_corners(const Case& input, const Scene& scene) {
     if (!input.well) return;
     const double length = *std::max_element(scene.mesh.length.begin(), scene.mesh.length.end());
     const double sagitta = length * length * largest_curvature(*input.well) / 8;
-    const std::vector<double> gaps = clearances(scene);
+    const std::vector<double> gaps = clearances(scene, &SectionProperties::flow_radius);
     const double clearance = *std::min_element(gaps.begin(), gaps.end());
     constexpr double noticeable = 0.25;
     if (sagitta > noticeable * clearance)
