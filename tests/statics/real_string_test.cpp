@@ -166,6 +166,34 @@ TEST(Stabiliser, CarriesTheSameForceWhereverTheMeshWouldHavePutItsNodes) {
         EXPECT_NEAR(stabiliser_force(h) / fine, 1, 0.01) << h;
 }
 
+TEST(Stabiliser, WiderThanItsHoleIsHeldOnTheAxis) {
+    // 10 m of collar, level, between a head on the axis and a stabiliser at its lower end
+    const auto found = [](double diameter) {
+        Case input = test::case_from(fmt::format(R"(
+            [[string.component]]
+            length = 10
+            outer_diameter = 0.1651
+            inner_diameter = 0.0714
+            linear_density = 133
+            youngs_modulus = "206 GPa"
+            contact_diameter = {:.17g}
+            contact_position = 10
+            contact_length = 0.3
+        )",
+                                                 diameter) +
+                                     following(1));
+        input.well = test::well_through({{0, pi / 2, 0}, {1000, pi / 2, 0}}, 0.2159);
+        return find_equilibrium(build_scene(input));
+    };
+    // a clamped and a simply supported end: 3/8 of the weight on the latter
+    const double support = 3.0 / 8 * 133 * 9.80665 * 10;
+    for (const double diameter : {0.2159, 0.2164}) {
+        const double below_the_axis = found(diameter).series.bit_position.z();
+        EXPECT_NEAR(below_the_axis / (support / (6e8 * 0.3)), 1, 0.02) << diameter;
+    }
+    EXPECT_NEAR(found(0.2149).series.bit_position.z(), 0.0005, 0.0001);
+}
+
 // ------------------------------------------------------------------ bends
 
 TEST(BentMotor, PointsThePipeBelowByItsAngleToItsToolface) {
