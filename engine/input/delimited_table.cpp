@@ -370,11 +370,11 @@ std::string DelimitedTable::with_decimal_point(std::size_t row, std::size_t colu
 
 double DelimitedTable::number(std::size_t row, std::size_t column) const {
     const std::string written = with_decimal_point(row, column);
-    std::string_view digits = written;
-    if (digits.starts_with('+')) digits.remove_prefix(1);
+    std::string_view rest = written;
+    if (rest.starts_with('+')) rest.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool whole = end == digits.data() + digits.size();
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const bool whole = end == rest.data() + rest.size();
     const bool misplaced_sign = written.starts_with("+-");
     const std::string& name = columns_[column].name;
     if (error == std::errc::invalid_argument || !whole || misplaced_sign) {

@@ -229,7 +229,8 @@ std::map<std::string, Line> lines_of_page() {
         const std::vector<std::string> cells = cells_of(line);
         EXPECT_EQ(cells.size(), 6U) << line;
         EXPECT_TRUE(
-            lines.try_emplace(prefix + cells.at(1), cells.at(2), cells.at(3), cells.at(4)).second)
+            lines.try_emplace(prefix + cells.at(1), Line{cells.at(2), cells.at(3), cells.at(4)})
+                .second)
             << line << " is there twice";
     }
     return lines;

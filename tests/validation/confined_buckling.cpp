@@ -208,7 +208,8 @@ test::Run vertical_string(const char* weight_on_bit) {
 double turns_above_bit(const Profile& profile, double h) {
     double turned = 0;
     const std::vector<Vector3d>& x = profile.position;
-    for (std::size_t k = x.size() - std::lround(200 / h); k < x.size(); ++k) {
+    for (std::size_t k = x.size() - static_cast<std::size_t>(std::lround(200 / h)); k < x.size();
+         ++k) {
         const Vector3d& a = x[k - 1];
         const Vector3d& b = x[k];
         turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
