@@ -81,6 +81,17 @@ MeshRefinement read_refinement(const Value& value, double string_length) {
     return refine;
 }
 
+std::vector<MeshRefinement> read_refinements(const Value& list, double string_length) {
+    constexpr std::size_t most = 1000;
+    const std::vector<Value> stretches = list.elements("a list of tables [[mesh.refine]]");
+    if (stretches.size() > most)
+        list.fail(fmt::format("has {} stretches; expected at most {}", stretches.size(), most));
+    std::vector<MeshRefinement> result;
+    for (const Value& stretch : stretches)
+        result.push_back(read_refinement(stretch, string_length));
+    return result;
+}
+
 }  // namespace
 
 MeshCase read_mesh(const Table& root, const StringCase& string) {
@@ -102,8 +113,7 @@ MeshCase read_mesh(const Table& root, const StringCase& string) {
                 table.find("segments_per_joint", fmt::format("{}", mesh.segments_per_joint)))
             mesh.segments_per_joint = per_joint->whole_number(1, 1000);
         if (const std::optional<Value> refine = table.find("refine"))
-            for (const Value& stretch : refine->elements("a list of tables [[mesh.refine]]"))
-                mesh.refine.push_back(read_refinement(stretch, length));
+            mesh.refine = read_refinements(*refine, length);
     }
     mesh.segment_inertia = table.boolean("segment_inertia", mesh.segment_inertia);
     return mesh;

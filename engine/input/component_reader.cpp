@@ -32,6 +32,7 @@ namespace {
 constexpr Range poisson_range{.low = -0.99, .high = 0.5};
 
 constexpr std::size_t most_components = 20'000;
+constexpr double most_pieces = 20'000;  // of pipe between tool joints, in a component
 
 std::string too_many(std::size_t components) {
     return fmt::format("has {} components; expected at most {}", components, most_components);
@@ -338,6 +339,11 @@ std::optional<ToolJoints> read_joints(const ComponentSource& source, const Compo
     }
     ToolJoints joints;
     joints.spacing = *spacing;
+    if (component.length > most_pieces * joints.spacing)
+        source.fail("joint_length",
+                    fmt::format("makes {:.0f} pieces of {}; expected at most {:.0f}",
+                                component.length / joints.spacing, length_text(component.length),
+                                most_pieces));
     joints.outer_diameter = require(
         source.quantity("tool_joint_outer_diameter", dimension::length, plausible::diameter),
         source, "tool_joint_outer_diameter", "a length such as \"6.625 in\"");

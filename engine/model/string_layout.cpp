@@ -15,6 +15,17 @@ double ring(double outer, double inner) {
     return std::numbers::pi / 4 * (outer - inner) * (outer + inner);
 }
 
+void refuse_too_many_pieces(const StringCase& string) {
+    constexpr double most = 1e6;
+    double pieces = 0;
+    for (const Component& component : string.components)
+        pieces += component.joints ? component.length / component.joints->spacing : 1;
+    if (pieces > most)
+        throw std::invalid_argument(fmt::format(
+            "the string has {:.0f} pieces of pipe between tool joints; expected at most {:.0f}",
+            pieces, most));
+}
+
 }  // namespace
 
 int pieces_of(const Component& component) {
@@ -51,6 +62,7 @@ Component pipe_body(const Component& component) {
 }
 
 StringLayout::StringLayout(const StringCase& string) : boundary{0.0}, component_boundary{0.0} {
+    refuse_too_many_pieces(string);
     for (const Component& component : string.components) {
         const double start = length();
         add_pipe(component, string.shear_coefficient);

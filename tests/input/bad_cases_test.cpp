@@ -329,6 +329,14 @@ TEST(BadCases, ToolJointsFitTheirPipe) {
     });
 }
 
+TEST(BadCases, JointsAreNoSlices) {
+    expect_messages({
+        {pipe_end, pipe_with("joint_length = \"1 mm\"\ntool_joint_outer_diameter = 0.17"),
+         "case.toml:19:16: string.component.0.joint_length makes 400000 pieces of 400 m; expected "
+         "at most 20000"},
+    });
+}
+
 TEST(BadCases, ContactPointsAndBendsLieInTheirComponent) {
     expect_messages({
         {pipe_end, pipe_with("contact_length = 0.4"),

@@ -434,6 +434,7 @@ bool falls_at_the_start(const Case& input, const Scene& scene) {
 }
 
 std::size_t segments_of(const Case& input) {
+    if (input.mesh.segments > 0) return static_cast<std::size_t>(input.mesh.segments);
     return mesh_string(input.string, input.mesh, Lumping::cells).length.size();
 }
 
