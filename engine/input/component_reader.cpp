@@ -70,40 +70,48 @@ class ComponentSource {
     }
 };
 
+// Keys of a component, which are columns too, but for the curvature in their middle.
+constexpr std::array<std::string_view, 9> keys_of_pipe{
+    "name",    "length",         "outer_diameter", "inner_diameter", "linear_density",
+    "density", "youngs_modulus", "poisson_ratio",  "yield_strength"};
+constexpr std::array<std::string_view, 21> keys_of_places{"bending_stiffness",
+                                                          "torsional_stiffness",
+                                                          "axial_stiffness",
+                                                          "shear_stiffness",
+                                                          "inertia",
+                                                          "polar_inertia",
+                                                          "material_density",
+                                                          "joint_length",
+                                                          "tool_joint_outer_diameter",
+                                                          "tool_joint_inner_diameter",
+                                                          "tool_joint_length",
+                                                          "contact_diameter",
+                                                          "contact_length",
+                                                          "contact_position",
+                                                          "contact_stiffness",
+                                                          "bend",
+                                                          "bend_position",
+                                                          "toolface",
+                                                          "eccentric_mass",
+                                                          "eccentric_mass_position",
+                                                          "element_length"};
+
+template <std::size_t size>
+constexpr auto keys_with(const std::array<std::string_view, size>& curvature) {
+    std::array<std::string_view, keys_of_pipe.size() + size + keys_of_places.size()> all{};
+    auto end = std::copy(keys_of_pipe.begin(), keys_of_pipe.end(), all.begin());
+    end = std::copy(curvature.begin(), curvature.end(), end);
+    std::copy(keys_of_places.begin(), keys_of_places.end(), end);
+    return all;
+}
+
+constexpr auto keys = keys_with(std::array<std::string_view, 1>{"curvature"});
+constexpr auto columns = keys_with(
+    std::array<std::string_view, 3>{"curvature_twist", "curvature_bend1", "curvature_bend2"});
+
 class TableSource : public ComponentSource {
   public:
-    explicit TableSource(const Value& value)
-        : table_(value, {"name",
-                         "length",
-                         "outer_diameter",
-                         "inner_diameter",
-                         "linear_density",
-                         "density",
-                         "youngs_modulus",
-                         "poisson_ratio",
-                         "yield_strength",
-                         "curvature",
-                         "bending_stiffness",
-                         "torsional_stiffness",
-                         "axial_stiffness",
-                         "shear_stiffness",
-                         "inertia",
-                         "polar_inertia",
-                         "material_density",
-                         "joint_length",
-                         "tool_joint_outer_diameter",
-                         "tool_joint_inner_diameter",
-                         "tool_joint_length",
-                         "contact_diameter",
-                         "contact_length",
-                         "contact_position",
-                         "contact_stiffness",
-                         "bend",
-                         "bend_position",
-                         "toolface",
-                         "eccentric_mass",
-                         "eccentric_mass_position",
-                         "element_length"}) {}
+    explicit TableSource(const Value& value) : table_(value, keys) {}
 
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const override {
         const std::optional<Value> value = table_.find(key);
@@ -141,40 +149,6 @@ class TableSource : public ComponentSource {
   private:
     Table table_;
 };
-
-constexpr std::array<std::string_view, 33> columns{"name",
-                                                   "length",
-                                                   "outer_diameter",
-                                                   "inner_diameter",
-                                                   "linear_density",
-                                                   "density",
-                                                   "youngs_modulus",
-                                                   "poisson_ratio",
-                                                   "yield_strength",
-                                                   "curvature_twist",
-                                                   "curvature_bend1",
-                                                   "curvature_bend2",
-                                                   "bending_stiffness",
-                                                   "torsional_stiffness",
-                                                   "axial_stiffness",
-                                                   "shear_stiffness",
-                                                   "inertia",
-                                                   "polar_inertia",
-                                                   "material_density",
-                                                   "joint_length",
-                                                   "tool_joint_outer_diameter",
-                                                   "tool_joint_inner_diameter",
-                                                   "tool_joint_length",
-                                                   "contact_diameter",
-                                                   "contact_length",
-                                                   "contact_position",
-                                                   "contact_stiffness",
-                                                   "bend",
-                                                   "bend_position",
-                                                   "toolface",
-                                                   "eccentric_mass",
-                                                   "eccentric_mass_position",
-                                                   "element_length"};
 
 /// A row of a CSV file; an empty field is a key left out.
 class RowSource : public ComponentSource {

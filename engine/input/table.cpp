@@ -27,6 +27,15 @@ auto place(const toml::key& key) {
 
 Table::Table(const toml::table& table, std::string path,
              std::initializer_list<std::string_view> known)
+    : Table(table, std::move(path), std::span(known.begin(), known.size())) {}
+
+Table::Table(const Value& value, std::initializer_list<std::string_view> known)
+    : Table(value, std::span(known.begin(), known.size())) {}
+
+Table::Table(const Value& value, std::span<const std::string_view> known)
+    : Table(as_table(value), value.path(), known) {}
+
+Table::Table(const toml::table& table, std::string path, std::span<const std::string_view> known)
     : table_(&table), path_(std::move(path)) {
     for (const std::string_view key : known)
         KeyNotes::known(path_of(key));
@@ -34,23 +43,19 @@ Table::Table(const toml::table& table, std::string path,
     refuse_unknown(known);
 }
 
-Table::Table(const Value& value, std::initializer_list<std::string_view> known)
-    : Table(as_table(value), value.path(), known) {}
-
 void Table::fail(const std::string& problem) const {
     throw InputError(where(), problem);
 }
 
-void Table::refuse_unknown(std::initializer_list<std::string_view> known) const {
+void Table::refuse_unknown(std::span<const std::string_view> known) const {
     const toml::key* first = nullptr;
     for (auto&& [key, node] : *table_) {
         const bool is_known = std::find(known.begin(), known.end(), key.str()) != known.end();
         if (!is_known && (first == nullptr || place(key) < place(*first))) first = &key;
     }
     if (first == nullptr) return;
-    const std::span<const std::string_view> names(known.begin(), known.size());
-    const std::string_view near = nearest_name(first->str(), names);
-    const std::string cure = near.empty() ? fmt::format("known here: {}", listed(names))
+    const std::string_view near = nearest_name(first->str(), known);
+    const std::string cure = near.empty() ? fmt::format("known here: {}", listed(known))
                                           : fmt::format("did you mean {}?", in_quotes(near));
     throw InputError(locate(first->source()),
                      fmt::format("unknown key {}; {}", in_quotes(path_of(first->str())), cure));

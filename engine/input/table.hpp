@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ class Table {
 
     /// A value that must be a table with the `known` keys.
     Table(const Value& value, std::initializer_list<std::string_view> known);
+    Table(const Value& value, std::span<const std::string_view> known);
 
     [[nodiscard]] SourceLocation where() const { return locate(table_->source()); }
     /// Throws InputError with `problem` at the start of the table.
@@ -64,7 +66,8 @@ class Table {
     }
 
   private:
-    void refuse_unknown(std::initializer_list<std::string_view> known) const;
+    Table(const toml::table& table, std::string path, std::span<const std::string_view> known);
+    void refuse_unknown(std::span<const std::string_view> known) const;
 
     const toml::table* table_;
     std::string path_;

@@ -18,15 +18,6 @@ std::vector<SurveyStation> read_survey_text(const std::string& text) {
     return folder.read("case.toml").well->survey;
 }
 
-void expect_same(const std::vector<SurveyStation>& a, const std::vector<SurveyStation>& b) {
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t k = 0; k < a.size(); ++k) {
-        EXPECT_DOUBLE_EQ(a[k].measured_depth, b[k].measured_depth);
-        EXPECT_DOUBLE_EQ(a[k].inclination, b[k].inclination);
-        EXPECT_DOUBLE_EQ(a[k].azimuth, b[k].azimuth);
-    }
-}
-
 TEST(Tables, SurveyWithoutUnitsIsInMetresAndDegrees) {
     expect_same(read_survey_text("md,inclination,azimuth\n0,0,0\n609.6,30,270\n"),
                 {{0, 0, 0}, {609.6, 30 * degree, 270 * degree}});

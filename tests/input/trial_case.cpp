@@ -1,5 +1,6 @@
 #include "input/trial_case.hpp"
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -63,6 +64,15 @@ Case read_trial(const std::string& passage, const std::string& replacement) {
     folder.write("survey.csv", trial_survey);
     folder.write("case.toml", replaced(trial_case, passage, replacement));
     return folder.read("case.toml");
+}
+
+void expect_same(const std::vector<SurveyStation>& a, const std::vector<SurveyStation>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_DOUBLE_EQ(a[k].measured_depth, b[k].measured_depth);
+        EXPECT_DOUBLE_EQ(a[k].inclination, b[k].inclination);
+        EXPECT_DOUBLE_EQ(a[k].azimuth, b[k].azimuth);
+    }
 }
 
 }  // namespace drillstrand

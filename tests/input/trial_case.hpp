@@ -83,4 +83,7 @@ class TrialFolder {
 /// The trial case and its survey, with one passage changed, read.
 Case read_trial(const std::string& passage, const std::string& replacement);
 
+/// Expects the same stations, to rounding.
+void expect_same(const std::vector<SurveyStation>& a, const std::vector<SurveyStation>& b);
+
 }  // namespace drillstrand
