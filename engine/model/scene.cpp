@@ -221,10 +221,11 @@ bool is_twisted(const BitCase& bit) {
 
 /// A torque that follows a free end drives it to flutter, as slowly as its motion is heavy. The
 /// turn of the last node alone is a motion of the mesh, light, and by nothing damped: where a
-/// torque acts, the node turns as the rigid half of a segment, whose inertia vanishes with h^2.
+/// torque acts, the node is as heavy as a rigid segment about its end, whose inertia vanishes with
+/// h^2.
 void weigh_down_twisted_bit(const StringMesh& mesh, std::vector<double>& inertias) {
     const double h = mesh.length.back();
-    inertias.back() = std::max(inertias.back(), mesh.node.back().mass * h * h / 12);
+    inertias.back() = std::max(inertias.back(), mesh.node.back().mass * h * h / 3);
 }
 
 /// D_in carries turns along the string with the speed D_in/J, half a step late: where that is no

@@ -51,7 +51,7 @@ struct Scene {
     /// middle of the hole (kg/m)
     std::vector<double> lateral_mass;
     /// N+1, rotary inertia about a diameter (kg m): rho I; for the leapfrog at least 4 k EI m/EA,
-    /// at a bit with a torque at least m h^2/12; for dormand-prince with segment inertia, and for
+    /// at a bit with a torque at least m h^2/3; for dormand-prince with segment inertia, and for
     /// the leapfrog with strong internal damping of rotation, plus (lateral mass) h^2/12
     std::vector<double> inertia;
     std::vector<double> weight;  ///< N+1, buoyed weight (N/m)

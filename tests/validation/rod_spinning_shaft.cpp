@@ -153,5 +153,41 @@ TEST(EccentricMass, WhirlsAShaftOnTheRadiusOfForcedVibration) {
     }
 }
 
+// A couple that follows a free end does work on its turning, whatever the mode: amplitudes grow by
+// T/(L sqrt(EI m)), those of one sense of turning (energy in of T times the cone that the end
+// describes, over the energy of a mode).
+TEST(FollowingTorque, MakesAFreeEndFlutterAtTheSameRateOnEveryMesh) {
+    const Section section{.length = 50,
+                          .mass = 52.1,
+                          .inertia = 0.36,
+                          .bending = 9.2e6,
+                          .torsional = 7e6,
+                          .axial = 1.3e9,
+                          .shear = 6.6e8};
+    const double torque = 1e4;
+    const double rate = torque / (section.length * std::sqrt(section.bending * section.mass));
+    const double duration = 120;
+    for (const int segments : {8, 16, 32}) {
+        const test::Run result =
+            run("gravity = 0\n" + section_component(section) +
+                mesh_and_run(IntegratorKind::leapfrog, segments, false, duration) +
+                fmt::format("[head]\ndirection = [1, 0, 0]\n[bit]\nmoment = [{:.17g}, 0, 0]\n"
+                            "force = [[0, [0, 0, 0]], [0.01, [0, 0, 50]], [0.02, [0, 0, 0]]]\n"
+                            "[output]\ninterval = 0.01\nprofile_interval = 0\n",
+                            -torque));
+        const auto bending = [&](double from, double to) {
+            double sum = 0;
+            for (const SeriesRecord& record : result.series)
+                if (record.time >= from * duration && record.time < to * duration)
+                    sum += record.bit_stress.segment<2>(1).squaredNorm();
+            return std::sqrt(sum);
+        };
+        const double growth =
+            std::log(bending(0.85, 0.95) / bending(0.45, 0.55)) / (0.4 * duration);
+        EXPECT_LT(growth, 1.6 * rate) << segments;
+        EXPECT_GT(growth, 0.5 * rate) << segments;
+    }
+}
+
 }  // namespace
 }  // namespace drillstrand
