@@ -67,12 +67,12 @@ TEST(RotaryInertia, OfTheLeapfrogIsThatOfTheSectionsOnFineMeshes) {
     EXPECT_EQ(scene.inertia[4], scene.mesh.node[4].inertia);
 }
 
-TEST(RotaryInertia, OfTheLeapfrogIsThatOfARigidPieceAtABitWithATorque) {
+TEST(RotaryInertia, OfTheLeapfrogIsThatOfARigidPieceAboutItsEndAtABitWithATorque) {
     Case input = pipe_of_8_segments("leapfrog");
     const Scene free = build_scene(input);
     input.bit.torque = ScalarSchedule({0, 1}, {0, 100});
     const Scene twisted = build_scene(input);
-    EXPECT_DOUBLE_EQ(twisted.inertia.back(), twisted.mesh.node.back().mass * 9 / 12);
+    EXPECT_DOUBLE_EQ(twisted.inertia.back(), twisted.mesh.node.back().mass * 9 / 3);
     EXPECT_EQ(twisted.inertia[7], free.inertia[7]);
 }
 

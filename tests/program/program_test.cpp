@@ -147,8 +147,24 @@ TEST_F(Program, CheckSaysWhereItDoesNotLookForALongEquilibrium) {
                     std::string("mesh.segments=") + segments});
     };
     const auto says = HasSubstr("Not checked: whether there is an equilibrium to start from");
-    EXPECT_THAT(check("10001").out, AllOf(says, Not(HasSubstr("Advice"))));
+    EXPECT_THAT(check("10001").out, AllOf(says, Not(HasSubstr("Advice: the string starts"))));
     EXPECT_THAT(check("322").out, Not(says));
+}
+
+TEST_F(Program, CheckTellsTheMeshOfEachComponentAndWhatItCouldNotSee) {
+    const std::string field = run({"check", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml"}).out;
+    EXPECT_THAT(field, AllOf(HasSubstr("tool joints of 0.16827 m (6.625 in)"),
+                             HasSubstr("touches with 0.2159 m (8.5 in) on 0.152 m"),
+                             HasSubstr("bent by 1.15 deg"), HasSubstr("open hole, friction"),
+                             Not(HasSubstr("between nodes"))));
+    const std::string even =
+        run({"check", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml", "--set",
+             "mesh={segments=400}", "--set", "initial.state='coaxial'"})
+            .out;
+    EXPECT_THAT(even, AllOf(HasSubstr("lies between nodes and touches nothing"),
+                            HasSubstr("lies between nodes: its diameter touches nothing")));
+    EXPECT_THAT(run({"check", DRILLSTRAND_SOURCE_DIR "/cases/well2.toml"}).out,
+                HasSubstr("Advice: drill pipe weighs 9969 kg/m3"));
 }
 
 TEST_F(Program, InfoTellsHowAResultWasMade) {
