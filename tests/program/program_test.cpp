@@ -431,6 +431,14 @@ TEST_P(Interrupted, ARunEndsInOrder) {
     EXPECT_THAT(ending.err, HasSubstr(reached_text(result)));
 }
 
+TEST_P(Interrupted, ASignalThatComesTwiceAtOnceIsOneWish) {
+    const pid_t child = start_long_run();
+    ASSERT_EQ(::kill(child, GetParam()), 0);
+    ::kill(child, GetParam());  // as timeout(1) does: to the program, then to its group
+    EXPECT_EQ(ending_of(child).code, 130);
+    EXPECT_EQ(read_result(desk() / "pipe.h5").footer.status, "interrupted");
+}
+
 INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 TEST_F(Program, AKilledRunLeavesAReadableFile) {
