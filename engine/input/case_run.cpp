@@ -93,9 +93,9 @@ EquilibriumCase read_equilibrium(const Table& root) {
 }
 
 RunCase read_run(const Table& root) {
-    const Table table =
-        root.subtable("run", {"duration", "integrator", "cfl", "tolerance", "absolute_tolerance",
-                              "relative_tolerance", "stress_limit", "threads", "reproducible"});
+    const Table table = root.subtable(
+        "run", {"duration", "integrator", "cfl", "local_steps", "tolerance", "absolute_tolerance",
+                "relative_tolerance", "stress_limit", "threads", "reproducible"});
     RunCase run;
     if (const std::optional<Value> duration = table.find("duration"))
         run.duration = duration->quantity(dimension::time, plausible::duration);
@@ -104,6 +104,7 @@ RunCase read_run(const Table& root) {
                                      {{"dormand-prince", IntegratorKind::dormand_prince},
                                       {"leapfrog", IntegratorKind::leapfrog}});
     run.cfl = table.number("cfl", run.cfl, {.low = 1e-6, .high = 1});
+    run.local_steps = table.boolean("local_steps", run.local_steps);
     if (const std::optional<Value> tolerance = table.find("tolerance"))
         run.tolerance = read_tolerance(*tolerance, run.integrator);
     run.stress_limit = table.number("stress_limit", run.stress_limit, plausible::factor_or_none);

@@ -33,12 +33,69 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stre
       guards_(scene, string_.model, stress_limit),
       time_error_(tolerance, negligible_energy(scene)),
       bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
+      groups_(groups_of(string_)),
       state_(initial_state(string_)),
       next_(state_.rod),
-      team_(std::min(threads, static_cast<int>(string_.spans.size()))),
+      team_(std::min(threads, static_cast<int>(groups_.size()))),
       workers_(static_cast<std::size_t>(team_.members())) {
-    for (Worker& worker : workers_)
+    for (Worker& worker : workers_) {
         worker.segments = Table<SegmentRow>(string_.model.segments + 1);
+        for (std::size_t i = 0; i < string_.substeps.count(); ++i)
+            worker.substeps.push_back(string_.substeps.work_for(i));
+    }
+}
+
+std::vector<Leapfrog::SpanGroup> Leapfrog::groups_of(const DirectorString& string) {
+    std::vector<SpanGroup> groups;
+    std::size_t stretch = 0;
+    const Substeps& substeps = string.substeps;
+    for (std::size_t i = 0; i < string.spans.size(); ++i) {
+        const std::size_t first_node = string.spans[i].begin * block_size;
+        const std::size_t end_node = string.spans[i].end * block_size;
+        const bool goes_on = stretch > 0 && substeps.last_node(stretch - 1) >= first_node;
+        if (!goes_on) groups.push_back({i, i, 0});
+        groups.back().end_span = i + 1;
+        groups.back().work += static_cast<double>(string.spans[i].entries());
+        for (; stretch < substeps.count() && substeps.first_node(stretch) < end_node; ++stretch)
+            groups.back().work += substeps.plan().stretches[stretch].work();
+    }
+    return groups;
+}
+
+/// Neighbouring groups to each thread, at least one, of work as equal as they allow.
+void Leapfrog::give_share(Worker& worker, std::size_t thread, std::size_t threads) const {
+    double all = 0;
+    for (const SpanGroup& group : groups_)
+        all += group.work;
+    const auto begin_of = [&](std::size_t its) {
+        const double before = all * static_cast<double>(its) / static_cast<double>(threads);
+        double sum = 0;
+        std::size_t group = 0;
+        while (group < groups_.size() && sum + 0.5 * groups_[group].work < before)
+            sum += groups_[group++].work;
+        return std::clamp(group, its, groups_.size() - (threads - its));
+    };
+    worker.first_span = groups_[begin_of(thread)].first_span;
+    worker.end_span = groups_[begin_of(thread + 1) - 1].end_span;
+    worker.begin = string_.spans[worker.first_span].begin;
+    worker.end = string_.spans[worker.end_span - 1].end;
+
+    worker.stretches.clear();
+    worker.early.clear();
+    const Substeps& substeps = string_.substeps;
+    for (std::size_t i = 0; i < substeps.count(); ++i) {
+        const std::size_t first = substeps.first_node(i);
+        if (first < worker.begin * block_size || first >= worker.end * block_size) continue;
+        worker.stretches.push_back(i);
+        for (std::size_t span = worker.first_span; span < worker.end_span; ++span) {
+            const BlockSpan blocks = string_.spans[span];
+            // from the segment before the first node on, as far as it is the worker's
+            if (blocks.end * block_size + 1 > first &&
+                blocks.begin * block_size <= substeps.last_node(i) &&
+                (worker.early.empty() || worker.early.back() < span))
+                worker.early.push_back(span);
+        }
+    }
 }
 
 void Leapfrog::advance(double end, std::int64_t max_steps) {
@@ -105,11 +162,7 @@ void Leapfrog::take(std::int64_t steps) {
 /// The time loop: one barrier a step.
 void Leapfrog::run(std::size_t thread, std::size_t threads) {
     Worker& worker = workers_[thread];
-    const std::vector<BlockSpan>& spans = string_.spans;
-    worker.first_span = spans.size() * thread / threads;
-    worker.end_span = spans.size() * (thread + 1) / threads;
-    worker.begin = spans[worker.first_span].begin;
-    worker.end = spans[worker.end_span - 1].end;
+    give_share(worker, thread, threads);
     worker.coarsest = state_.coarsest;
     const Course course = state_.course;
     const std::int64_t steps_before = state_.statistics.steps;
@@ -122,7 +175,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
     for (std::int64_t i = 0;; ++i) {
         bool sound = step_spans(worker, *rod, *next, step);
         if ((steps_before + i) % steps_between_guards == 0)
-            sound = keep_guard(worker, *rod, step.time) && sound;
+            sound = keep_guard(worker, *rod, step) && sound;
         if (!sound) meeting_.fault_step.store(i, std::memory_order_relaxed);
         if (thread == 0 && team_should_part() && i < meeting_.last_step) meeting_.last_step = i;
         meeting_.barrier.wait();
@@ -132,6 +185,14 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
         step = {course.time(course.done + i + 1), dt, dt, dt};
     }
     meeting_.barrier.wait();
+}
+
+/// The forces of a span's segments at the whole step, with the load at the bit behind the last.
+void Leapfrog::fill_segments(Worker& worker, std::size_t span, const Table<DirectorRow>& rod,
+                             const DirectorStep& step) {
+    director_segments(string_.model, rod, worker.segments, string_.spans[span], step.last_drift);
+    if (span + 1 == string_.spans.size())
+        load_bit(string_, state_, rod, step.time, worker.segments);
 }
 
 /// One step of a worker's spans: forces at the whole step, velocities and poses to the next.
@@ -147,11 +208,18 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         string_.head.load(segments, rod, step.time);
     else
         director_segments(model, rod, segments, {worker.begin - 1, worker.begin}, step.last_drift);
+    for (const std::size_t span : worker.early)
+        fill_segments(worker, span, rod, step);
+    for (const std::size_t stretch : worker.stretches)
+        string_.substeps.average(model, rod, state_.wall, stretch, step.drift,
+                                 worker.substeps[stretch], segments);
+    auto early = worker.early.begin();
     for (std::size_t i = worker.first_span; i < worker.end_span; ++i) {
         const BlockSpan span = string_.spans[i];
-        director_segments(model, rod, segments, span, step.last_drift);
-        if (owns_bit && i + 1 == worker.end_span)
-            load_bit(string_, state_, rod, step.time, segments);
+        if (early != worker.early.end() && *early == i)
+            ++early;
+        else
+            fill_segments(worker, i, rod, step);
         const NodeStep done =
             director_nodes(model, rod, next, segments, state_.wall, span, step.kick, step.drift);
         state_.accounts.outflow[i] += done.outflow;
@@ -164,6 +232,9 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
+    for (const std::size_t stretch : worker.stretches)
+        state_.accounts.outflow[worker.early.front()] += string_.substeps.share(
+            model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);
     if (owns_head) string_.head.finish(state_.head, segments, rod, next, step);
     if (owns_bit) string_.bit.finish(state_.bit, segments, rod, next, step);
     return sound;
@@ -171,11 +242,16 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
 
 /// Reads the guards of a worker's segments, whose stresses are those of `rod`; false where the run
 /// has to stop.
-bool Leapfrog::keep_guard(Worker& worker, const Table<DirectorRow>& rod, double time) const {
+bool Leapfrog::keep_guard(Worker& worker, const Table<DirectorRow>& rod,
+                          const DirectorStep& step) const {
     bool passes = true;
+    // what the segments bear, not what their nodes feel in the mean
+    for (const std::size_t span : worker.early)
+        director_segments(string_.model, rod, worker.segments, string_.spans[span],
+                          step.last_drift);
     for (std::size_t block = worker.begin; block < worker.end; ++block) {
         const GuardReading reading = guards_.read(rod, worker.segments, block);
-        guards_.follow(worker.coarsest, reading, rod, worker.segments, block, time);
+        guards_.follow(worker.coarsest, reading, rod, worker.segments, block, step.time);
         if (guards_.stops(reading)) passes = false;
     }
     return passes;

@@ -315,6 +315,7 @@ Scene scene_of(const Case& input) {
     scene.damping = input.damping;
     scene.head = input.head;
     scene.bit = input.bit;
+    scene.local_steps = input.run.local_steps;
     if (input.well) set_well(scene, *input.well);
 
     const WellCrossSection mouth =

@@ -70,11 +70,13 @@ void write_end_load(Table<SegmentRow>& segments, std::ptrdiff_t ghost, const End
             segments.row(info.row, i)[ghost] = 0.0;
     }
     segments.set(SegmentRow::pull, ghost, load.force);
+    segments.set(SegmentRow::last_pull, ghost, load.force);
     // t x lean is what of the couple is normal to t
     const Eigen::Vector3d lean = load.couple.cross(director);
     segments.set(SegmentRow::first_lean, ghost, lean);
     segments.set(SegmentRow::last_lean, ghost, -lean);
-    segments.row(SegmentRow::torque)[ghost] = load.couple.dot(director);
+    for (const SegmentRow row : {SegmentRow::torque, SegmentRow::last_torque})
+        segments.row(row)[ghost] = load.couple.dot(director);
 }
 
 }  // namespace drillstrand

@@ -79,7 +79,9 @@ struct StiffnessRows {
 enum class SegmentRow {
     twist,
     pull,
+    last_pull,
     torque,
+    last_torque,
     first_lean,
     last_lean,
     first_couple,
@@ -95,8 +97,10 @@ enum class SegmentRow {
 template <>
 inline constexpr auto row_list<SegmentRow> = std::to_array<RowInfo<SegmentRow>>({
     {SegmentRow::twist,          "twist",          "1/m", 1, Extent::segments, Keep::derived, "of the frames, at the whole step, stress-free twist included"},
-    {SegmentRow::pull,           "pull",           "N",   3, Extent::segments, Keep::derived, "n: force on the first node, its reaction on the last"},
-    {SegmentRow::torque,         "torque",         "N m", 1, Extent::segments, Keep::derived, "about the directors"},
+    {SegmentRow::pull,           "pull",           "N",   3, Extent::segments, Keep::derived, "n: force on the first node"},
+    {SegmentRow::last_pull,      "last_pull",      "N",   3, Extent::segments, Keep::derived, "its reaction on the last, with its sign turned: n but for substeps"},
+    {SegmentRow::torque,         "torque",         "N m", 1, Extent::segments, Keep::derived, "about the first director, on the first node"},
+    {SegmentRow::last_torque,    "last_torque",    "N m", 1, Extent::segments, Keep::derived, "its reaction on the last, about the last director, with its sign turned"},
     {SegmentRow::first_lean,     "first_lean",     "N m", 3, Extent::segments, Keep::derived, "- dV/dt of the first director: couple t x lean"},
     {SegmentRow::last_lean,      "last_lean",      "N m", 3, Extent::segments, Keep::derived, "- dV/dt of the last"},
     {SegmentRow::first_couple,   "first_couple",   "N m", 3, Extent::segments, Keep::derived, "curved: own-shape couple on the first node"},

@@ -80,31 +80,16 @@ struct RodNodes {
     DampingPair external_damping;
     double kick, drift;
 
-    /// Directors follow angular velocities: t turned by dt Om. Rounding has a bias: where q is less
-    /// than that of 1 - q, each step would add q to the length.
     DRILLSTRAND_INLINE void turn(std::size_t k, const Triple& w) const {
         const Triple t = in.t[k];
-        const double q = 0.25 * drift * drift * dot(w, w);
-        const double inverse_q = 1.0 / (1.0 + q);
-        const Triple turned = combine((1.0 - q) * inverse_q, t, drift * inverse_q, cross(w, t));
         out.w.set(k, w);
-        out.t.set(k, of_unit_length(turned));
+        out.t.set(k, turned_director(t, w, drift));
         out.last_t.set(k, t);
         out.last_twist[k] = after.twist[k];
     }
 
-    /// d1 goes along with t by the shortest way, then turns about it by dt s.
     DRILLSTRAND_INLINE void turn_material(std::size_t k, double s) const {
-        const Triple moved = at(out.t, k);
-        const Triple along = carried(in.d1[k], in.t[k], moved);
-        // Cayley's rotation, by the tangent of half the angle to its fifth power
-        const double angle = drift * s;
-        const double a2 = angle * angle;
-        const double tangent = 0.5 * angle * (1.0 + a2 * (1.0 / 12.0) * (1.0 + a2 * 0.1));
-        const double unit = 1.0 / (1.0 + tangent * tangent);
-        const Triple turned = combine((1.0 - tangent * tangent) * unit, along, 2.0 * tangent * unit,
-                                      cross(moved, along));
-        out.d1.set(k, of_unit_length(without(turned, moved)));
+        out.d1.set(k, turned_material(in.d1[k], in.t[k], at(out.t, k), drift * s));
     }
 
     /// Positions follow velocities after all forces: x += dt v. The work of damping and
@@ -150,19 +135,9 @@ struct RodNodes {
         const double to_spin = kick * c.inverse_polar[k];
         const double to_turning = kick * c.inverse_transverse[k];
 
-        // rod: differences of the segments' forces over the cell
-        Triple force = combine(ic, after.pull[k], -ic, before.pull[k]);
-        const double mg = c.weight[k];
-        force = combine(1.0, force, mg, down);
-        Triple couple = cross(t, combine(ic, after.first_lean[k], ic, before.last_lean[k]));
-        double torque = ic * (after.torque[k] - before.torque[k]);
-        if constexpr (curved) {
-            const Triple own = combine(ic, after.first_couple[k], ic, before.last_couple[k]);
-            couple = combine(1.0, couple, 1.0, own);
-            torque += dot(own, t);
-            couple = without(couple, t);
-            force = combine(1.0, force, centrifugal(k), in.d1[k]);
-        }
+        const auto [pulled, couple, torque] = rod_load<curved>(after, before, t, ic, k);
+        Triple force = combine(1.0, pulled, c.weight[k], down);
+        if constexpr (curved) force = combine(1.0, force, centrifugal(k), in.d1[k]);
 
         Triple v = combine(1.0, in.v[k], to_velocity, force);
         double s = in.s[k] + to_spin * torque;
@@ -192,14 +167,10 @@ struct RodNodes {
             Triple pulling = scaled(-1.0, dragged);
             double twisting = -dot(turned, t);
             if constexpr (damping == Damping::kelvin_voigt) {
-                const Triple bending =
-                    combine(ic, after.viscous_couple[k], -ic, before.viscous_couple[k]);
-                const Triple shearing =
-                    combine(ic, after.viscous_lean[k], ic, before.viscous_lean[k]);
-                resisting = combine(1.0, resisting, 1.0, combine(1.0, bending, 1.0, shearing));
-                pulling = combine(1.0, pulling, 1.0,
-                                  combine(ic, after.viscous_pull[k], -ic, before.viscous_pull[k]));
-                twisting += ic * (after.viscous_torque[k] - before.viscous_torque[k]);
+                const RodLoad viscous = viscous_load(after, before, ic, k);
+                resisting = combine(1.0, resisting, 1.0, viscous.couple);
+                pulling = combine(1.0, pulling, 1.0, viscous.force);
+                twisting += viscous.torque;
             }
             v = combine(1.0, v, to_velocity, pulling);
             w = combine(1.0, w, to_turning, without(resisting, t));

@@ -276,19 +276,35 @@ EnergiesAndTensions energies_and_tensions(const DirectorString& string,
 
 }  // namespace
 
+namespace {
+
+/// What the segments of fine stretches hand to nodes in a step (s).
+void average_over_substeps(const DirectorString& string, const DirectorState& state, double step,
+                           DirectorSnapshot& at) {
+    if (string.substeps.empty()) return;
+    at.averaged = at.segments;
+    for (std::size_t i = 0; i < string.substeps.count(); ++i) {
+        Substeps::Work work = string.substeps.work_for(i);
+        string.substeps.average(string.model, state.rod, at.wall, i, step, work, *at.averaged);
+    }
+}
+
+}  // namespace
+
 /// Half a kick on copies, and no drift.
 DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& state) {
     const DirectorModel& model = string.model;
     const double time = state.clock.time;
     const double last_drift = state.clock.last_step;
-    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), state.wall, {}};
+    DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), {}, state.wall, {}};
     for (const BlockSpan span : string.spans)
         director_segments(model, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
     load_bit(string, state, state.rod, time, at.segments);
+    if (last_drift > 0) average_over_substeps(string, state, last_drift, at);
     for (const BlockSpan span : string.spans) {
-        const NodeStep done = director_nodes(model, state.rod, at.rod, at.segments, at.wall, span,
-                                             0.5 * last_drift, 0.0);
+        const NodeStep done = director_nodes(model, state.rod, at.rod, at.handed_over(), at.wall,
+                                             span, 0.5 * last_drift, 0.0);
         at.impacts += done.impacts;
         at.slips += done.slips;
     }
@@ -314,36 +330,48 @@ double kinetic_energy(const Scene& scene, const Table<DirectorRow>& rod, const T
             scene.mesh.node[node].polar_inertia * s * s);
 }
 
+/// What segments do to a node.
+struct NodeForces {
+    Vector3d force;
+    Vector3d couple;  ///< normal to the director
+    double torque;    ///< about it
+
+    NodeForces(const Table<SegmentRow>& segments, const Vector3d& t, std::size_t node) {
+        const auto after = static_cast<std::ptrdiff_t>(node);
+        const auto before = after - 1;
+        force = segments.vector(SegmentRow::pull, after) -
+                segments.vector(SegmentRow::last_pull, before);
+        const Vector3d own = segments.vector(SegmentRow::first_couple, after) +
+                             segments.vector(SegmentRow::last_couple, before);
+        couple = t.cross(segments.vector(SegmentRow::first_lean, after) +
+                         segments.vector(SegmentRow::last_lean, before)) +
+                 own - own.dot(t) * t;
+        torque = segments.row(SegmentRow::torque)[after] -
+                 segments.row(SegmentRow::last_torque)[before] + own.dot(t);
+    }
+};
+
 /// What the rod's forces on a node do to its velocities in half a step, as an energy (J). The
 /// leapfrog keeps the energy 1/2 m v- . v+ of the half steps before and after, which is by this
 /// less than that of their mean: of a mode near the bound of the step, almost all of it.
 double half_kick_energy(const Scene& scene, const DirectorSnapshot& at, double half_step,
                         std::size_t node) {
-    const auto after = static_cast<std::ptrdiff_t>(node);
-    const auto before = after - 1;
-    const auto difference = [&](SegmentRow row) {
-        return Vector3d(at.segments.vector(row, after) - at.segments.vector(row, before));
-    };
     const Vector3d t = at.rod.vector(DirectorRow::director, node);
-    const Vector3d force = difference(SegmentRow::pull);
-    const Vector3d own = at.segments.vector(SegmentRow::first_couple, after) +
-                         at.segments.vector(SegmentRow::last_couple, before);
-    const Vector3d couple = t.cross(at.segments.vector(SegmentRow::first_lean, after) +
-                                    at.segments.vector(SegmentRow::last_lean, before)) +
-                            own - own.dot(t) * t;
-    const double torque = at.segments.row(SegmentRow::torque)[after] -
-                          at.segments.row(SegmentRow::torque)[before] + own.dot(t);
-    const double along = force.dot(t);
+    const NodeForces now(at.segments, t, node);
+    const NodeForces handed(at.handed_over(), t, node);
+    const double along = now.force.dot(t) * handed.force.dot(t);
     const SectionProperties& section = scene.mesh.node[node];
     const double sideways = section.mass + fluid_mass_at(at.wall, node);
     return 0.5 * half_step * half_step / scene.mesh.cell[node] *
-           (along * along / section.mass + (force.squaredNorm() - along * along) / sideways +
-            couple.squaredNorm() / scene.inertia[node] + torque * torque / section.polar_inertia);
+           (along / section.mass + (now.force.dot(handed.force) - along) / sideways +
+            now.couple.dot(handed.couple) / scene.inertia[node] +
+            now.torque * handed.torque / section.polar_inertia);
 }
 
+/// Likewise of the whole rod. Substeps keep more than 1/2 m v- . v+ (Substeps::added_energy).
 double half_kick_energy(const DirectorString& string, const DirectorSnapshot& at,
                         double half_step) {
-    double sum = 0;
+    double sum = -string.substeps.added_energy(at.rod, 2 * half_step);
     for (std::size_t k = string.head.is_driven() ? 1 : 0; k <= string.model.segments; ++k)
         sum += half_kick_energy(string.scene, at, half_step, k);
     return sum;
@@ -372,7 +400,9 @@ EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& st
 
 double half_kick_energy(const DirectorString& string, const DirectorState& state,
                         double half_step) {
-    return half_kick_energy(string, snapshot(string, state), half_step);
+    DirectorSnapshot at = snapshot(string, state);
+    average_over_substeps(string, state, 2 * half_step, at);
+    return half_kick_energy(string, at, half_step);
 }
 
 SeriesRecord series_record(const DirectorString& string, const DirectorState& state) {

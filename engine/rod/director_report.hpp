@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,16 @@ namespace drillstrand {
 struct DirectorSnapshot {
     Table<DirectorRow> rod;
     Table<SegmentRow> segments;
+    /// What segments hand to nodes in a step, where that is their mean over substeps.
+    std::optional<Table<SegmentRow>> averaged;
     Table<WallRow> wall;
     std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
     double impacts = 0;                  ///< in the step that begins here
     double slips = 0;
+
+    [[nodiscard]] const Table<SegmentRow>& handed_over() const {
+        return averaged ? *averaged : segments;
+    }
 };
 DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& state);
 

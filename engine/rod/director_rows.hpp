@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "model/pose.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/triple.hpp"
 #include "rod/director.hpp"
@@ -36,6 +37,7 @@ struct SegmentRows {
     template <class Segments>
     SegmentRows(Segments& segments, std::ptrdiff_t first)
         : pull(segments.triples(SegmentRow::pull, first)),
+          last_pull(segments.triples(SegmentRow::last_pull, first)),
           first_lean(segments.triples(SegmentRow::first_lean, first)),
           last_lean(segments.triples(SegmentRow::last_lean, first)),
           first_couple(segments.triples(SegmentRow::first_couple, first)),
@@ -47,10 +49,11 @@ struct SegmentRows {
           drag_couple(segments.triples(SegmentRow::drag_couple, first)),
           twist(segments.row(SegmentRow::twist) + first),
           torque(segments.row(SegmentRow::torque) + first),
+          last_torque(segments.row(SegmentRow::last_torque) + first),
           viscous_torque(segments.row(SegmentRow::viscous_torque) + first) {}
-    Vectors pull, first_lean, last_lean, first_couple, last_couple, viscous_pull, viscous_couple,
-        viscous_lean, drag_force, drag_couple;
-    Numbers twist, torque, viscous_torque;
+    Vectors pull, last_pull, first_lean, last_lean, first_couple, last_couple, viscous_pull,
+        viscous_couple, viscous_lean, drag_force, drag_couple;
+    Numbers twist, torque, last_torque, viscous_torque;
 };
 using SegmentsOut = SegmentRows<Triples, double*>;
 using SegmentsIn = SegmentRows<ConstTriples, const double*>;
@@ -83,6 +86,63 @@ struct NodeConstants {
         *transverse, *inverse_transverse, *weight, *unbalance;
 };
 
+DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
+    return combine(1.0, v, -dot(v, unit), unit);
+}
+
+/// Directors follow angular velocities: t turned by dt Om. Rounding has a bias: where q is less
+/// than that of 1 - q, each step would add q to the length.
+DRILLSTRAND_INLINE Triple turned_director(const Triple& t, const Triple& w, double dt) {
+    const double q = 0.25 * dt * dt * dot(w, w);
+    const double inverse_q = 1.0 / (1.0 + q);
+    return of_unit_length(combine((1.0 - q) * inverse_q, t, dt * inverse_q, cross(w, t)));
+}
+
+/// d1 goes along with t by the shortest way, then turns about it by an angle.
+DRILLSTRAND_INLINE Triple turned_material(const Triple& d1, const Triple& t, const Triple& moved,
+                                          double angle) {
+    const Triple along = carried(d1, t, moved);
+    // Cayley's rotation, by the tangent of half the angle to its fifth power
+    const double a2 = angle * angle;
+    const double tangent = 0.5 * angle * (1.0 + a2 * (1.0 / 12.0) * (1.0 + a2 * 0.1));
+    const double unit = 1.0 / (1.0 + tangent * tangent);
+    const Triple turned =
+        combine((1.0 - tangent * tangent) * unit, along, 2.0 * tangent * unit, cross(moved, along));
+    return of_unit_length(without(turned, moved));
+}
+
+/// What the segments around a node do to it, times `scale` (1 over its cell for forces per length).
+struct RodLoad {
+    Triple force, couple;  ///< the couple is normal to the director
+    double torque;         ///< about the director
+};
+template <bool curved>
+DRILLSTRAND_INLINE RodLoad rod_load(const SegmentsIn& after, const SegmentsIn& before,
+                                    const Triple& t, double scale, std::size_t k) {
+    RodLoad load;
+    load.force = combine(scale, after.pull[k], -scale, before.last_pull[k]);
+    load.couple = cross(t, combine(scale, after.first_lean[k], scale, before.last_lean[k]));
+    load.torque = scale * (after.torque[k] - before.last_torque[k]);
+    if constexpr (curved) {
+        const Triple own = combine(scale, after.first_couple[k], scale, before.last_couple[k]);
+        load.couple = combine(1.0, load.couple, 1.0, own);
+        load.torque += dot(own, t);
+        load.couple = without(load.couple, t);
+    }
+    return load;
+}
+
+/// Likewise of Kelvin-Voigt damping; here the couple may have a part along the director.
+DRILLSTRAND_INLINE RodLoad viscous_load(const SegmentsIn& after, const SegmentsIn& before,
+                                        double scale, std::size_t k) {
+    const Triple bending =
+        combine(scale, after.viscous_couple[k], -scale, before.viscous_couple[k]);
+    const Triple shearing = combine(scale, after.viscous_lean[k], scale, before.viscous_lean[k]);
+    return {combine(scale, after.viscous_pull[k], -scale, before.viscous_pull[k]),
+            combine(1.0, bending, 1.0, shearing),
+            scale * (after.viscous_torque[k] - before.viscous_torque[k])};
+}
+
 /// Lines of numbers of a span's segments or nodes that one of its loops hands to the next, in the
 /// first-level cache. Several short loops take less time than one long one: the processor works at
 /// two rounds of a loop at once where both fit into what it looks ahead.
@@ -98,10 +158,6 @@ struct HeldLines {
 
 DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
     return {rows.x[k], rows.y[k], rows.z[k]};
-}
-
-DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {
-    return combine(1.0, v, -dot(v, unit), unit);
 }
 
 /// Calls `use` with the damping and the own shape of a scene as constants.

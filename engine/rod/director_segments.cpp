@@ -198,9 +198,11 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
             }
         }
         out.pull.set(k, pull);
+        out.last_pull.set(k, pull);
         out.first_lean.set(k, first_lean);
         out.last_lean.set(k, last_lean);
         out.torque[k] = torque;
+        out.last_torque[k] = torque;
         out.twist[k] = twist;
     };
 #pragma omp simd

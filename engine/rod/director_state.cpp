@@ -15,6 +15,7 @@ DirectorString::DirectorString(const Scene& scene_of_run, Level level)
       model(scene, level),
       head(scene),
       bit(scene),
+      substeps(scene),
       spans(equal_spans(blocks_for(model.segments + 1))) {}
 
 DirectorState initial_state(const DirectorString& string) {

@@ -7,6 +7,7 @@
 #include "rod/bit.hpp"
 #include "rod/director.hpp"
 #include "rod/head.hpp"
+#include "rod/substeps.hpp"
 #include "state/rows.hpp"
 
 namespace drillstrand {
@@ -20,6 +21,7 @@ struct DirectorString {
     DirectorModel model;
     Head head;
     Bit bit;
+    Substeps substeps;
     std::vector<BlockSpan> spans;  ///< of nodes, one kernel call each
 };
 

@@ -2,6 +2,7 @@
 /// "Step".
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct SegmentRates {
     double torsional;  ///< of twist alone
     double any;        ///< of all motions, with what bends couple
 };
+inline double fastest(const SegmentRates& rates) {
+    return std::max({rates.axial, rates.torsional, rates.any});
+}
 SegmentRates segment_rates(const Scene& scene, std::size_t segment, const ExpectedLoad& load);
 
 }  // namespace drillstrand

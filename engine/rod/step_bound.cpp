@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rod/segment_rates.hpp"
+#include "rod/substeps.hpp"
 
 namespace drillstrand {
 
@@ -97,6 +99,11 @@ void offer_strand(Tightest& tightest, const Scene& scene, std::size_t node) {
     offer(zigzag + 4 * k.bending / inertia, "zigzags of neighbouring nodes");
 }
 
+/// Square of the rate at which the firmest wall of the well throws a node back (1/s2).
+double wall_rate2(const Scene& scene, std::size_t node) {
+    return scene.well->largest_firmness() * scene.normal_stiffness[node] / scene.lateral_mass[node];
+}
+
 StepBound dormand_prince_bound(const Scene& scene) {
     Tightest tightest;
     for (std::size_t node = 0; node < scene.mesh.node.size(); ++node) {
@@ -105,8 +112,8 @@ StepBound dormand_prince_bound(const Scene& scene) {
         const double mass = scene.lateral_mass[node];
         const double firmness = scene.well->largest_firmness();
         const double firmer_damping = scene.contact.restitution ? std::sqrt(firmness) : 1.0;
-        tightest.offer(std::sqrt(firmness * scene.normal_stiffness[node] / mass),
-                       dormand_prince_oscillation, "contact springs");
+        tightest.offer(std::sqrt(wall_rate2(scene, node)), dormand_prince_oscillation,
+                       "contact springs");
         tightest.offer(firmer_damping * scene.normal_damping[node] / mass, dormand_prince_decay,
                        "contact dashpots");
         tightest.offer(std::sqrt(scene.contact.tangential_stiffness / scene.mesh.node[node].mass),
@@ -134,17 +141,31 @@ struct MovedInertia {
     }
 };
 
+/// A segment as the leapfrog's step sees it.
+struct MovingSegment {
+    SegmentRates rates;
+    MovedInertia moved;
+};
+
+std::vector<MovingSegment> moving_segments(const Scene& scene) {
+    std::vector<MovingSegment> segments;
+    const std::vector<ExpectedLoad> loads = expected_loads(scene);
+    segments.reserve(loads.size());
+    for (std::size_t k = 0; k < loads.size(); ++k)
+        segments.push_back({segment_rates(scene, k, loads[k]), MovedInertia(scene, k)});
+    return segments;
+}
+
 /// What bounds the leapfrog's step.
 struct LeapfrogBounds {
     Tightest axial;
     Tightest torsional;
     Tightest any;
 
-    void offer(const Scene& scene, std::size_t segment, const ExpectedLoad& load) {
-        const SegmentRates rates = segment_rates(scene, segment, load);
-        const MovedInertia moved(scene, segment);
+    void offer(const DampingCase& damping, const MovingSegment& segment) {
+        const auto& [rates, moved] = segment;
         const auto to = [&](Tightest& tightest, double rate, double inertia, const char* process) {
-            tightest.offer(rate, leapfrog_product(scene.damping, rate, inertia), process);
+            tightest.offer(rate, leapfrog_product(damping, rate, inertia), process);
         };
         to(axial, rates.axial, moved.along, "axial waves");
         to(torsional, rates.torsional, moved.about, "torsional waves");
@@ -155,11 +176,17 @@ struct LeapfrogBounds {
     }
 };
 
-StepBound leapfrog_bound(const Scene& scene) {
+/// The bound of the segments that are in none of the stretches.
+StepBound leapfrog_bound(const DampingCase& damping, const std::vector<MovingSegment>& segments,
+                         const std::vector<FineStretch>& stretches) {
     LeapfrogBounds bounds;
-    const std::vector<ExpectedLoad> loads = expected_loads(scene);
-    for (std::size_t k = 0; k < loads.size(); ++k)
-        bounds.offer(scene, k, loads[k]);
+    auto stretch = stretches.begin();
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        while (stretch != stretches.end() && stretch->end <= k)
+            ++stretch;
+        if (stretch != stretches.end() && stretch->first <= k) continue;
+        bounds.offer(damping, segments[k]);
+    }
     const double step = bounds.step();
     // nodes of pipes turn as fast as axial waves but for end effects: the waves give the name
     constexpr double as_fast = 1.05;
@@ -169,21 +196,102 @@ StepBound leapfrog_bound(const Scene& scene) {
     return bounds.any.bound();
 }
 
+/// What a segment allows by itself (s): with the damping, and without.
+struct SegmentStep {
+    double damped;
+    double free;
+};
+
+std::vector<SegmentStep> own_steps(const DampingCase& damping,
+                                   const std::vector<MovingSegment>& segments) {
+    std::vector<SegmentStep> steps;
+    steps.reserve(segments.size());
+    for (const MovingSegment& segment : segments) {
+        LeapfrogBounds bounds;
+        bounds.offer(damping, segment);
+        steps.push_back({bounds.step(), leapfrog_oscillation / fastest(segment.rates)});
+    }
+    return steps;
+}
+
+/// The segments whose own step is below that of the string, and one more on each side of them, so
+/// that neighbours at the ends of a stretch are alike.
+std::vector<FineStretch> stretches_below(const Scene& scene, const std::vector<SegmentStep>& steps,
+                                         double step) {
+    std::vector<FineStretch> stretches;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (steps[k].damped >= step) continue;
+        const std::size_t first = k > 0 ? k - 1 : 0;
+        const std::size_t end = std::min(k + 2, steps.size());
+        if (stretches.empty() || stretches.back().end < first)
+            stretches.push_back({first, end, std::numeric_limits<double>::infinity(), 0, 1});
+        stretches.back().end = end;
+    }
+    for (FineStretch& stretch : stretches) {
+        for (std::size_t k = stretch.first; k < stretch.end; ++k)
+            stretch.free_step = std::min(stretch.free_step, steps[k].free);
+        if (!scene.features.well) continue;
+        for (std::size_t k = stretch.first; k <= stretch.end; ++k)
+            stretch.grip = std::max(stretch.grip, moved_by_wall(scene, k) /
+                                                      (scene.lateral_mass[k] * scene.mesh.cell[k]));
+    }
+    return stretches;
+}
+
+/// Work for a second of the run, in steps of one node.
+double work(const StepPlan& plan, std::size_t nodes) {
+    auto work = static_cast<double>(nodes);
+    for (const FineStretch& stretch : plan.stretches)
+        work += stretch.work();
+    return work / plan.bound.step;
+}
+
 }  // namespace
 
+double FineStretch::work() const {
+    // measured with contact and mud: what a node takes for its forces, and for each substep
+    constexpr double forces = 0.5;
+    constexpr double substep = 0.08;
+    return static_cast<double>(end - first + 1) * (forces + substep * substeps);
+}
+
+StepPlan step_plan(const Scene& scene) {
+    const std::vector<MovingSegment> segments = moving_segments(scene);
+    StepPlan best{leapfrog_bound(scene.damping, segments, {}), {}};
+    // D_in drags what is nearer to the bit, which no substeps of the rod can tell
+    if (!scene.local_steps || scene.damping.internal.any()) return best;
+    constexpr double worthwhile = 0.75;
+    constexpr double finer = 1.19;  // four tries for each doubling of the step
+    const std::vector<SegmentStep> steps = own_steps(scene.damping, segments);
+    const std::size_t nodes = segments.size() + 1;
+    double least_work = worthwhile * work(best, nodes);
+    const double longest = std::max_element(steps.begin(), steps.end(), [](auto& a, auto& b) {
+                               return a.damped < b.damped;
+                           })->damped;
+    for (double step = best.bound.step; step <= longest; step *= finer) {
+        std::vector<FineStretch> stretches = stretches_below(scene, steps, step);
+        if (stretches.empty()) continue;
+        const StepBound bound = leapfrog_bound(scene.damping, segments, stretches);
+        StepPlan plan{bound, std::move(stretches)};
+        if (!std::isfinite(plan.bound.step)) break;  // no segment is left
+        for (FineStretch& stretch : plan.stretches)
+            stretch.substeps = substeps_in(stretch, plan.undamped() * plan.bound.step);
+        if (work(plan, nodes) >= least_work) continue;
+        least_work = work(plan, nodes);
+        best = std::move(plan);
+    }
+    return best;
+}
+
 StepBound step_bound(const Scene& scene, IntegratorKind integrator) {
-    return integrator == IntegratorKind::leapfrog ? leapfrog_bound(scene)
+    return integrator == IntegratorKind::leapfrog ? step_plan(scene).bound
                                                   : dormand_prince_bound(scene);
 }
 
 std::vector<double> segment_steps(const Scene& scene) {
     std::vector<double> steps;
-    const std::vector<ExpectedLoad> loads = expected_loads(scene);
-    for (std::size_t k = 0; k < loads.size(); ++k) {
-        LeapfrogBounds bounds;
-        bounds.offer(scene, k, loads[k]);
-        steps.push_back(bounds.step());
-    }
+    for (const SegmentStep& step : own_steps(scene.damping, moving_segments(scene)))
+        steps.push_back(step.damped);
     return steps;
 }
 

@@ -244,6 +244,7 @@ struct RunCase {
     double duration = 0;  ///< s; 0: left out, for commands that do not simulate
     IntegratorKind integrator = IntegratorKind::leapfrog;
     double cfl = 0.9;
+    bool local_steps = true;  ///< leapfrog: short segments take substeps (StepPlan)
     double tolerance = 0;     ///< time error for which the leapfrog shortens its steps; 0: none
     double stress_limit = 5;  ///< multiple of yield at which the leapfrog stops; 0: none
     double absolute_tolerance = 1e-7;

@@ -61,6 +61,7 @@ struct Scene {
     /// from a restitution by its root. Empty without a well.
     std::vector<double> normal_stiffness;
     std::vector<double> normal_damping;
+    bool local_steps = true;  ///< leapfrog: where segments are short, steps of their own
     SceneFeatures features;
     std::optional<Well> well;
     std::optional<FluidCase> fluid;

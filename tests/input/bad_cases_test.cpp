@@ -212,6 +212,8 @@ TEST(BadCases, ASlipOfThePenIsNotSimulated) {
          "case.toml:18:18: string.component.0.youngs_modulus is 1e-300; expected 1000 to 1e15 Pa"},
         {"length = 400", "length = 1e-300",
          "case.toml:14:10: string.component.0.length is 1e-300; expected 1e-6 to 1e6 m"},
+        {"duration = 20\n", "duration = 20\nlocal_steps = 1\n",
+         "case.toml:39:15: run.local_steps is 1; expected true or false"},
         {"duration = 20\n", "duration = 20\ncfl = 1e-300\n",
          "case.toml:39:7: run.cfl is 1e-300; expected 1e-6 to 1"},
         {"duration = 20\n", "duration = 1e300\n",

@@ -87,6 +87,7 @@ TEST(GoodCases, WhatIsLeftOutHasItsDefault) {
 
     EXPECT_EQ(input.run.integrator, IntegratorKind::leapfrog);
     EXPECT_EQ(input.run.cfl, 0.9);
+    EXPECT_TRUE(input.run.local_steps);
     EXPECT_EQ(input.run.stress_limit, 5);
     EXPECT_EQ(input.run.absolute_tolerance, 1e-7);
     EXPECT_EQ(input.run.relative_tolerance, 1e-5);
@@ -218,6 +219,7 @@ penetration_limit = "1 in"
 duration = "1 h"
 integrator = "dormand-prince"
 cfl = 0.5
+local_steps = false
 stress_limit = 0
 absolute_tolerance = 1e-8
 relative_tolerance = 1e-6
@@ -329,6 +331,7 @@ side_force_window = "10 ft"
 
     EXPECT_EQ(input.run.duration, 3600);
     EXPECT_EQ(input.run.cfl, 0.5);
+    EXPECT_FALSE(input.run.local_steps);
     EXPECT_EQ(input.run.stress_limit, 0);
     EXPECT_EQ(input.run.absolute_tolerance, 1e-8);
     EXPECT_EQ(input.run.relative_tolerance, 1e-6);

@@ -118,6 +118,7 @@ friction = 0.2
 duration = 1
 integrator = "leapfrog"
 cfl = 0.9
+local_steps = true
 tolerance = 0.01
 stress_limit = 5
 absolute_tolerance = 1e-7

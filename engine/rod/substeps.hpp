@@ -1,0 +1,108 @@
+/// Substeps of the leapfrog where segments are shorter than its step allows: engine/rod/README.md,
+/// "Substeps".
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "drillstrand/scene.hpp"
+#include "drillstrand/step_bound.hpp"
+#include "numerics/block_table.hpp"
+#include "rod/director.hpp"
+
+namespace drillstrand {
+
+/// The stabilised polynomial phi of so many substeps: of a motion whose rate omega and the step T
+/// make kappa = (omega T)^2/4, a step sees the part phi(kappa) of its force,
+///
+///     2 kappa phi(kappa) = 1 - T_p(w - beta kappa) / T_p(w),   w = 1 + nu/p^2,   phi(0) = 1,
+///
+/// T_p Chebyshev's polynomial; kappa phi is between 0.1 and 0.9 from its first maximum to its
+/// reach, about 0.85 p^2.
+class SubstepPolynomial {
+  public:
+    explicit SubstepPolynomial(int substeps);
+
+    /// The fewest substeps that reach kappa.
+    static int substeps_for(double kappa);
+
+    [[nodiscard]] int substeps() const { return substeps_; }
+    /// Largest kappa.
+    [[nodiscard]] double reach() const { return (1 + w_) / beta_; }
+    /// - phi'(0)
+    [[nodiscard]] double slope() const;
+    /// Of the first substep: y = first_factor T^2 M^-1 f.
+    [[nodiscard]] double first_factor() const { return beta_ / (4 * w_); }
+    /// omega_m = 2 w T_m(w)/T_m+1(w) of the substeps m = 1 ... p - 1: y += (omega - 1) times the
+    /// last change + omega first_factor T^2 times the residual.
+    [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
+
+  private:
+    int substeps_;
+    double w_;
+    double beta_;
+    double value_;  ///< T_p(w)
+    std::vector<double> weights_;
+};
+
+/// Substeps of a stretch in a step (s) of a string that nothing damps; 1 where it needs none.
+int substeps_in(const FineStretch& stretch, double step);
+
+/// Mass that a force of the wall on a node moves within a step, over the root of the step
+/// (kg/s^1/2): that of an endless beam, 2 m (EI dt^2/m)^1/4, and a fourth of it at an end. A wall
+/// that would throw it back within a step counts as firm as one that takes a step.
+double moved_by_wall(const Scene& scene, std::size_t node);
+
+/// The fine stretches of a string in the layout of the step loop.
+class Substeps {
+  public:
+    /// Numbers of one stretch that a step writes before it reads them: of each thread its own.
+    using Work = BlockTable;
+
+    Substeps() = default;
+    explicit Substeps(const Scene& scene);
+
+    [[nodiscard]] std::size_t count() const { return stretches_.size(); }
+    [[nodiscard]] bool empty() const { return stretches_.empty(); }
+    [[nodiscard]] const StepPlan& plan() const { return plan_; }
+    /// First and last node of a stretch.
+    [[nodiscard]] std::size_t first_node(std::size_t i) const { return plan_.stretches[i].first; }
+    [[nodiscard]] std::size_t last_node(std::size_t i) const { return plan_.stretches[i].end; }
+    /// Substeps of a stretch in a step (s); 1 where it needs none.
+    [[nodiscard]] int substeps(std::size_t i, double step) const;
+    [[nodiscard]] Work work_for(std::size_t i) const;
+
+    /// Changes what the segments of a stretch hand to its nodes: from their forces at the whole
+    /// step to the mean of their forces over the substeps, in which the nodes of the stretch move
+    /// from rest under the forces of all segments around them and of the wall. `segments` must be
+    /// up to date from the one before the stretch to the one behind it, ends included.
+    void average(const DirectorModel& model, const Table<DirectorRow>& rod, Table<WallRow>& wall,
+                 std::size_t i, double step, Work& work, Table<SegmentRow>& segments) const;
+
+    /// Gives the impulses of surroundings and damping, which director_nodes() has given to single
+    /// nodes of `next`, to the stretch as a whole. To be called with the work of average(), which
+    /// the step began with. Returns what must be added to the energy given away (J).
+    double share(const DirectorModel& model, const Table<DirectorRow>& rod,
+                 Table<DirectorRow>& next, std::size_t i, double kick, double drift,
+                 Work& work) const;
+
+    /// What substeps add to the kinetic energy of the motions of `rod` (J), for motions that the
+    /// step of the string can follow.
+    [[nodiscard]] double added_energy(const Table<DirectorRow>& rod, double step) const;
+
+  private:
+    [[nodiscard]] std::size_t nodes(std::size_t i) const {
+        return last_node(i) - first_node(i) + 1;
+    }
+    void take(const DirectorModel& model, std::size_t i, int count, double step, Work& work) const;
+
+    struct Stretch {
+        BlockTable constants;
+        bool held = false;  ///< the first node's motion is prescribed
+    };
+
+    StepPlan plan_;
+    std::vector<Stretch> stretches_;
+};
+
+}  // namespace drillstrand

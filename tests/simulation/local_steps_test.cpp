@@ -1,0 +1,288 @@
+// Steps of their own size where the mesh is fine (engine/rod/README.md, "Substeps"): as accurate as
+// one small step for all, as sparing with energy, and free of all that a run must be free of.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "drillstrand/energy_audit.hpp"
+#include "drillstrand/equilibrium.hpp"
+#include "drillstrand/simulation.hpp"
+#include "drillstrand/step_bound.hpp"
+#include "support/run_case.hpp"
+
+namespace drillstrand::test {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string pipe(double length) {
+    return fmt::format(R"(
+        [[string.component]]
+        length = {}
+        linear_density = 34.0
+        outer_diameter = 0.14
+        inner_diameter = 0.11
+        youngs_modulus = "200 GPa"
+        )",
+                       length);
+}
+
+/// The last 4 m in tenths of a segment elsewhere.
+constexpr const char* graded_mesh = R"(
+    [mesh]
+    element_length = 2.5
+    [[mesh.refine]]
+    from = 0
+    to = 4
+    measured_from = "bit"
+    element_length = 0.25
+    )";
+
+// ------------------------------------------------------------------ plan
+
+TEST(StepPlan, HasNoStretchesWhereSegmentsAreAlikeOrTheCaseAsksForNone) {
+    const std::string run = "[run]\nduration = 1\n";
+    Case alike = case_from(pipe(100) + "[mesh]\nsegments = 40\n" + run);
+    EXPECT_TRUE(step_plan(build_scene(alike)).stretches.empty());
+    Case graded = case_from(pipe(100) + graded_mesh + run);
+    const StepPlan plan = step_plan(build_scene(graded));
+    ASSERT_EQ(plan.stretches.size(), 1U);
+    EXPECT_GE(plan.stretches[0].substeps, 8);
+    graded.run.local_steps = false;
+    const StepPlan single = step_plan(build_scene(graded));
+    EXPECT_TRUE(single.stretches.empty());
+    EXPECT_GT(plan.bound.step, 8 * single.bound.step);
+    // D_in carries momentum along the string: no substeps of the rod alone
+    graded.run.local_steps = true;
+    graded.damping.internal = {1e-2, 1e-2};
+    EXPECT_TRUE(step_plan(build_scene(graded)).stretches.empty());
+}
+
+// ------------------------------------------------------------------ accuracy
+
+/// Where the tip of a clamped, level pipe is some time after it was let go.
+Vector3d falling_tip(const std::string& mesh, bool local_steps, double cfl = 0.9) {
+    Case input =
+        case_from(pipe(25) + mesh + "[head]\ndirection = [1, 0, 0]\n[run]\nduration = 1.5\n");
+    input.run.local_steps = local_steps;
+    input.run.cfl = cfl;
+    return run(input).last().bit_position;
+}
+
+TEST(LocalSteps, ErrAsMuchAsOneSmallStepForAll) {
+    const Vector3d exact = falling_tip("[mesh]\nsegments = 160\n", false);
+    const double single = (falling_tip(graded_mesh, false) - exact).norm();
+    const double local = (falling_tip(graded_mesh, true) - exact).norm();
+    EXPECT_GT(single, 1e-5);
+    EXPECT_NEAR(local, single, 0.1 * single);
+}
+
+TEST(LocalSteps, AreOfSecondOrderInTime) {
+    // a free pipe that is bent, turned and pushed, slowly beside its own motions; how far it gets
+    const auto deflection = [](double cfl) {
+        Case input = case_from("gravity = 0\n" + pipe(60) + graded_mesh + R"(
+            [head]
+            motion = "free"
+            moment = [[0, [0, 0, 0]], [2, [0, 300, 200]], [4, [0, 0, 0]]]
+            [bit]
+            moment = [[0, [0, 0, 0]], [2, [100, 0, 0]], [4, [0, 0, 0]]]
+            force = [[0, [0, 0, 0]], [2, [0, 0, -1000]], [4, [0, 0, 0]]]
+            [run]
+            duration = 6
+            )");
+        input.run.cfl = cfl;
+        return run(input).last().bit_position.x();
+    };
+    const double finest = deflection(0.9 / 32);
+    const double coarse = std::abs(deflection(0.9) - finest);
+    const double half = std::abs(deflection(0.45) - finest);
+    const double quarter = std::abs(deflection(0.225) - finest);
+    EXPECT_GT(std::log2(coarse / half), 1.8) << coarse << ", " << half << ", " << quarter;
+    EXPECT_GT(std::log2(half / quarter), 1.8) << coarse << ", " << half << ", " << quarter;
+}
+
+// ------------------------------------------------------------------ invariants
+
+/// Of all nodes.
+Vector3d centre_of_mass(const Scene& scene, const std::vector<Vector3d>& position) {
+    Vector3d sum = Vector3d::Zero();
+    double mass = 0;
+    for (std::size_t k = 0; k < position.size(); ++k) {
+        const double of_node = scene.mesh.cell[k] * scene.mesh.node[k].mass;
+        sum += of_node * position[k];
+        mass += of_node;
+    }
+    return sum / mass;
+}
+
+TEST(LocalSteps, LeaveTheCentreOfMassOfAFreeStringWhereItIsAndItsEnergyWithinBounds) {
+    const Case input = case_from("gravity = 0\n" + pipe(40) + graded_mesh + R"(
+        [head]
+        motion = "free"
+        [initial]
+        curvature = [0.001, 0.003, 0.002]
+        [run]
+        duration = 20
+        [output]
+        interval = 0.05
+        profile_interval = 2
+        )");
+    const Scene scene = build_scene(input);
+    ASSERT_EQ(step_plan(scene).stretches.size(), 1U);
+    const test::Run flight = run(input);
+    const double elastic = flight.series.front().energy.elastic;
+    EXPECT_GT(elastic, 50);
+    double least = elastic;
+    for (const SeriesRecord& record : flight.series) {
+        EXPECT_NEAR(record.energy.stored(), elastic, 2e-3 * elastic) << record.time;
+        least = std::min(least, record.energy.elastic);
+    }
+    EXPECT_LT(least, 0.5 * elastic);  // it does swing
+    const Vector3d start = centre_of_mass(scene, flight.profiles.front().position);
+    for (const Profile& profile : flight.profiles)
+        EXPECT_LT((centre_of_mass(scene, profile.position) - start).norm(), 1e-10);
+}
+
+// ------------------------------------------------------------------ in a well
+
+/// A stabilised assembly in a bent well with mud, finely divided.
+Case assembly(const std::string& more) {
+    Case input = case_from(R"(
+        [[string.component]]
+        name = "drill pipe"
+        length = 240
+        linear_density = 34.0
+        outer_diameter = 0.14
+        inner_diameter = 0.11
+        youngs_modulus = "200 GPa"
+        [[string.component]]
+        name = "collars"
+        length = 40
+        linear_density = 150
+        outer_diameter = 0.171
+        inner_diameter = 0.07
+        youngs_modulus = "200 GPa"
+        element_length = 1
+        [[string.component]]
+        name = "stabiliser"
+        length = 1.5
+        linear_density = 150
+        outer_diameter = 0.171
+        inner_diameter = 0.07
+        youngs_modulus = "200 GPa"
+        contact_diameter = 0.212
+        contact_length = 0.4
+        [[string.component]]
+        name = "bit"
+        length = 0.5
+        linear_density = 160
+        outer_diameter = 0.171
+        inner_diameter = 0.05
+        youngs_modulus = "200 GPa"
+        contact_diameter = 0.2159
+        contact_length = 0.15
+        [fluid]
+        density = 1250
+        viscosity = 0.02
+        [mesh]
+        element_length = 6
+        [initial]
+        state = "equilibrium"
+        )" + more);
+    WellCase well;
+    well.survey = {{0, 0.3, 0}, {100, 0.4, 0.1}, {200, 0.8, 0.2}, {300, 1.1, 0.25}};
+    well.sections = {{300, 0.2159}};
+    input.well = well;
+    return input;
+}
+
+TEST(LocalSteps, HoldAnEquilibriumAsStaticsFindIt) {
+    const Case input = assembly("[run]\nduration = 5\n");
+    const Scene scene = starting_scene(input);
+    const StepPlan plan = step_plan(scene);
+    ASSERT_FALSE(plan.stretches.empty());
+    EXPECT_GT(plan.stretches.back().substeps, 4);
+    const Equilibrium at_rest = find_equilibrium(scene);
+    const auto leapfrog = make_integrator(scene, integrator_options(input.run));
+    const Vector3d start = leapfrog->series().bit_position;
+    leapfrog->advance(5, 1'000'000);
+    EXPECT_LT(leapfrog->series().energy.kinetic, 1e-6);
+    EXPECT_LT((leapfrog->series().bit_position - start).norm(), 1e-7);
+    const std::vector<double> force = leapfrog->profile().normal_force;
+    for (std::size_t k = 0; k < force.size(); ++k)
+        EXPECT_NEAR(force[k], at_rest.profile.normal_force[k],
+                    1e-4 * (1 + at_rest.profile.normal_force[k]))
+            << k;
+}
+
+constexpr const char* drilling = R"(
+    [head]
+    rotation = [[0, 0], [0.5, 6]]
+    [bit]
+    weight = [[0, 0], [0.5, 5e4]]
+    friction = 0.5
+    smoothing_speed = 0.5
+    [run]
+    duration = 6
+    [output]
+    interval = 0.01
+    )";
+
+TEST(LocalSteps, AccountForTheEnergyOfAStringThatDrills) {
+    const test::Run drills = run(assembly(drilling));
+    EnergyAudit audit;
+    for (const SeriesRecord& record : drills.series)
+        audit.add(record.energy);
+    EXPECT_GT(audit.moved(), 1e4);
+    EXPECT_LT(std::abs(audit.residual()), 1e-3);
+}
+
+TEST(LocalSteps, DrillAsOneSmallStepForAllDoes) {
+    Case input = assembly(drilling);
+    const auto means = [&](bool local_steps) {
+        input.run.local_steps = local_steps;
+        Vector3d sum = Vector3d::Zero();
+        int count = 0;
+        for (const SeriesRecord& record : run(input).series) {
+            if (record.time < 3) continue;
+            sum += Vector3d(record.hook_load, record.surface_torque,
+                            static_cast<double>(record.contact_nodes));
+            ++count;
+        }
+        return Vector3d(sum / count);
+    };
+    const Vector3d local = means(true);
+    const Vector3d single = means(false);
+    EXPECT_NEAR(local[0], single[0], 2e-3 * single[0]);
+    EXPECT_NEAR(local[1], single[1], 2e-2 * single[1]);
+    EXPECT_NEAR(local[2], single[2], 0.5);
+}
+
+TEST(LocalSteps, GiveTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
+    const Case input = assembly(drilling);
+    const Scene scene = starting_scene(input);
+    IntegratorOptions options = integrator_options(input.run);
+    const auto one = [&](int threads) {
+        options.threads = threads;
+        return make_integrator(scene, options);
+    };
+    const auto reference = one(1);
+    reference->advance(0.7, 1'000'000);
+    for (const int threads : {2, 3}) {
+        const auto left = one(threads);
+        left->advance(0.7, 250);
+        const auto taken_up = one(threads);
+        taken_up->restore(left->save());
+        taken_up->advance(0.7, 1'000'000);
+        EXPECT_EQ(taken_up->series().bit_position, reference->series().bit_position) << threads;
+        EXPECT_EQ(taken_up->series().energy.dissipation, reference->series().energy.dissipation);
+        EXPECT_EQ(taken_up->profile().momentum, reference->profile().momentum) << threads;
+    }
+}
+
+}  // namespace
+}  // namespace drillstrand::test
