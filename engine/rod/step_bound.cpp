@@ -214,6 +214,40 @@ std::vector<SegmentStep> own_steps(const DampingCase& damping,
     return steps;
 }
 
+/// Stiffness of wall and friction against a node that touches (N/m).
+double holding_stiffness(const Scene& scene, std::size_t node) {
+    return scene.mesh.cell[node] * (scene.well->largest_firmness() * scene.normal_stiffness[node] +
+                                    2 * scene.contact.tangential_stiffness);
+}
+
+/// Square of the rate of a node that the wall holds and friction drags, at most (1/s2).
+double touching_rate2(const Scene& scene, std::size_t node) {
+    const SectionProperties& section = scene.mesh.node[node];
+    const double radius2 = section.outer_radius * section.outer_radius;
+    return std::max(
+        holding_stiffness(scene, node) / (scene.mesh.cell[node] * scene.lateral_mass[node]),
+        2 * scene.contact.tangential_stiffness * radius2 / section.polar_inertia);
+}
+
+/// Mass that a force of the wall on a node moves within a step (kg): that of an endless beam,
+/// 2 m (EI dt^2/m)^1/4, or a fourth of it at an end.
+double mass_at_hand(const Scene& scene, std::size_t node, double step) {
+    const double mass = scene.lateral_mass[node];
+    const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
+    const double reach =
+        std::pow(scene.mesh.node[node].bending_stiffness * step * step / mass, 0.25);
+    return mass * std::max(scene.mesh.cell[node], (at_end ? 0.5 : 2.0) * reach);
+}
+
+/// Whether the nodes of a stretch come to no wall that throws them back within a step: what a step
+/// cannot tell would give them energy.
+bool tells_walls(const Scene& scene, const FineStretch& stretch, double step) {
+    if (!scene.features.well) return true;
+    for (std::size_t k = stretch.first; k <= stretch.end; ++k)
+        if (holding_stiffness(scene, k) * step * step > mass_at_hand(scene, k, step)) return false;
+    return true;
+}
+
 /// The segments whose own step is below that of the string, and one more on each side of them, so
 /// that neighbours at the ends of a stretch are alike.
 std::vector<FineStretch> stretches_below(const Scene& scene, const std::vector<SegmentStep>& steps,
@@ -224,16 +258,18 @@ std::vector<FineStretch> stretches_below(const Scene& scene, const std::vector<S
         const std::size_t first = k > 0 ? k - 1 : 0;
         const std::size_t end = std::min(k + 2, steps.size());
         if (stretches.empty() || stretches.back().end < first)
-            stretches.push_back({first, end, std::numeric_limits<double>::infinity(), 0, 1});
+            stretches.push_back({first, end, std::numeric_limits<double>::infinity(), 1});
         stretches.back().end = end;
     }
     for (FineStretch& stretch : stretches) {
         for (std::size_t k = stretch.first; k < stretch.end; ++k)
             stretch.free_step = std::min(stretch.free_step, steps[k].free);
         if (!scene.features.well) continue;
+        double touching2 = 0;
         for (std::size_t k = stretch.first; k <= stretch.end; ++k)
-            stretch.grip = std::max(stretch.grip, moved_by_wall(scene, k) /
-                                                      (scene.lateral_mass[k] * scene.mesh.cell[k]));
+            touching2 = std::max(touching2, touching_rate2(scene, k));
+        const double free2 = std::pow(leapfrog_oscillation / stretch.free_step, 2);
+        stretch.free_step = leapfrog_oscillation / std::sqrt(free2 + touching2);
     }
     return stretches;
 }
@@ -257,7 +293,8 @@ double FineStretch::work() const {
 
 StepPlan step_plan(const Scene& scene) {
     const std::vector<MovingSegment> segments = moving_segments(scene);
-    StepPlan best{leapfrog_bound(scene.damping, segments, {}), {}};
+    const double tau = scene.damping.kelvin_voigt;
+    StepPlan best{leapfrog_bound(scene.damping, segments, {}), {}, tau};
     // D_in drags what is nearer to the bit, which no substeps of the rod can tell
     if (!scene.local_steps || scene.damping.internal.any()) return best;
     constexpr double worthwhile = 0.75;
@@ -272,10 +309,15 @@ StepPlan step_plan(const Scene& scene) {
         std::vector<FineStretch> stretches = stretches_below(scene, steps, step);
         if (stretches.empty()) continue;
         const StepBound bound = leapfrog_bound(scene.damping, segments, stretches);
-        StepPlan plan{bound, std::move(stretches)};
+        StepPlan plan{bound, std::move(stretches), tau};
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
+        const double step_without_damping = plan.undamped(plan.bound.step);
+        if (!std::all_of(plan.stretches.begin(), plan.stretches.end(), [&](const auto& stretch) {
+                return tells_walls(scene, stretch, step_without_damping);
+            }))
+            break;
         for (FineStretch& stretch : plan.stretches)
-            stretch.substeps = substeps_in(stretch, plan.undamped() * plan.bound.step);
+            stretch.substeps = substeps_in(stretch, step_without_damping);
         if (work(plan, nodes) >= least_work) continue;
         least_work = work(plan, nodes);
         best = std::move(plan);

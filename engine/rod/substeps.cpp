@@ -62,31 +62,9 @@ double SubstepPolynomial::slope() const {
     return beta_ * beta_ * second / (4 * value_);
 }
 
-// ------------------------------------------------------------------ walls
-
-namespace {
-
-/// Stiffness of the wall, in its place and around, and of friction, over what it moves in a step,
-/// times step^2: at most so much.
-constexpr double most_firmness = 2;
-constexpr double most_rubbing = 0.5;
-
-}  // namespace
-
-double moved_by_wall(const Scene& scene, std::size_t node) {
-    const double mass = scene.lateral_mass[node];
-    const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
-    const double ei = scene.mesh.node[node].bending_stiffness;
-    return (at_end ? 0.5 : 2.0) * mass * std::pow(ei / mass, 0.25);
-}
-
 int substeps_in(const FineStretch& stretch, double step) {
     const double ratio = step / stretch.free_step;
-    // of walls kappa is at most most_firmness/4 + 2 most_rubbing/4 in place, less than twice that
-    // of spin, per mass that they move
-    const double walls = 2 * std::max(1.0, stretch.grip * std::sqrt(step));
-    const double kappa = ratio * ratio;
-    return SubstepPolynomial::substeps_for(kappa > 1 && stretch.grip > 0 ? kappa + walls : kappa);
+    return SubstepPolynomial::substeps_for(ratio * ratio);
 }
 
 // ------------------------------------------------------------------ constants and work
@@ -106,7 +84,6 @@ enum Constant : std::size_t {
     polar,          // node (kg m2)
     inverse_polar,  // node (1/(kg m2))
     cell,           // node (m)
-    moved,          // node, by the wall: moved_by_wall() (kg/s^1/2)
     constants
 };
 
@@ -129,14 +106,13 @@ enum Line : std::size_t {
     lateral = 42,       // node, mass that moves sideways (kg)
     inverse_lateral = 43,
     held_torque = 44,  // node (N m)
-    // node, stiffness of the wall where it touches: toward the axis, around it, along it (N/m), and
-    // of friction against the spin (N m)
+    // node, stiffness of the wall where it touches: toward the axis, elsewhere (N/m), and of
+    // friction against the spin (N m)
     wall_normal = 45,
     wall_around = 46,
-    wall_along = 47,
-    wall_spin = 48,
-    stored_outflow = 49,  // node (J)
-    lines = 50
+    wall_spin = 47,
+    stored_outflow = 48,  // node (J)
+    lines = 49
 };
 
 /// The work table's lines from the first node of a stretch on.
@@ -161,7 +137,6 @@ struct WorkLines {
           held_torque(table.row(Line::held_torque)),
           wall_normal(table.row(Line::wall_normal)),
           wall_around(table.row(Line::wall_around)),
-          wall_along(table.row(Line::wall_along)),
           wall_spin(table.row(Line::wall_spin)) {}
 
     static Triples of(BlockTable& table, std::size_t line) {
@@ -170,8 +145,7 @@ struct WorkLines {
 
     Triples force, couple, down_well, director, axis, place, turn, place_change, turn_change, pull,
         first_couple, last_couple, to_axis, held;
-    double *lateral, *inverse_lateral, *held_torque, *wall_normal, *wall_around, *wall_along,
-        *wall_spin;
+    double *lateral, *inverse_lateral, *held_torque, *wall_normal, *wall_around, *wall_spin;
 };
 
 struct ConstantLines {
@@ -186,10 +160,9 @@ struct ConstantLines {
           inverse_turn(table.row(Constant::inverse_turn)),
           polar(table.row(Constant::polar)),
           inverse_polar(table.row(Constant::inverse_polar)),
-          cell(table.row(Constant::cell)),
-          moved(table.row(Constant::moved)) {}
+          cell(table.row(Constant::cell)) {}
     const double *stretching, *deviating, *bending, *twisting, *mass, *inverse_mass, *transverse,
-        *inverse_turn, *polar, *inverse_polar, *cell, *moved;
+        *inverse_turn, *polar, *inverse_polar, *cell;
 };
 
 /// How much faster a segment is under its expected load than straight and slack, squared.
@@ -229,7 +202,6 @@ BlockTable constants_of(const Scene& scene, const std::vector<ExpectedLoad>& loa
         set(transverse, inverse_turn, scene.inertia[k] * length);
         set(polar, inverse_polar, mesh.node[k].polar_inertia * length);
         table.row(cell)[i] = length;
-        if (scene.features.well) table.row(moved)[i] = moved_by_wall(scene, k);
     }
     return table;
 }
@@ -242,10 +214,8 @@ template <bool in_well, bool viscous, bool curved>
 DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<DirectorRow>& rod,
                                       const Table<SegmentRow>& segments, Table<WallRow>& wall_table,
                                       const BlockTable& constant_table, std::size_t first_node,
-                                      std::size_t nodes, double step, BlockTable& work_table) {
+                                      std::size_t nodes, BlockTable& work_table) {
     const auto first = static_cast<std::ptrdiff_t>(first_node);
-    const double inverse_step2 = 1.0 / (step * step);
-    const double root_step = std::sqrt(step);
     const NodesIn in(rod, first);
     const SegmentsIn after(segments, first);
     const SegmentsIn before(segments, first - 1);
@@ -286,17 +256,9 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
     const auto hold = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const WellFrame frame = well_frame(in.x[k], wall.arc(k));
         const double depth = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
-        const double touching = depth > 0.0 ? 1.0 : 0.0;
-        // as firm as a step can tell
-        const double sideways = c.mass[k] + c.cell[k] * wall.fluid_mass[k];
-        const double moves = c.moved[k] * root_step;
-        const double firmest = inverse_step2 * (moves > sideways ? moves : sideways);
-        const double whole = c.cell[k] * wall.stiffness[k];
-        const double firm =
-            touching * (whole < most_firmness * firmest ? whole : most_firmness * firmest);
-        const double holds = c.cell[k] * friction.stiffness;
-        const double rubs =
-            touching * (holds < most_rubbing * firmest ? holds : most_rubbing * firmest);
+        const double touching = (depth > 0.0 ? 1.0 : 0.0) * c.cell[k];
+        const double firm = touching * wall.stiffness[k];
+        const double rubs = touching * friction.stiffness;
         // friction as its spring holds, on the cone of the normal force
         const double normal = firm * depth;
         FrictionParameters its = friction.with({static_axial[k], static_around[k]},
@@ -311,7 +273,6 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
         const double apart = frame.eccentricity > depth ? frame.eccentricity : depth;
         work.wall_normal[k] = firm;
         work.wall_around[k] = firm * depth / (apart > 0.0 ? apart : 1.0) + 2.0 * rubs;
-        work.wall_along[k] = rubs;
         work.wall_spin[k] = 2.0 * rubs * wall.pipe[k] * wall.pipe[k];
         work.to_axis.set(k, frame.r);
         work.down_well.set(k, frame.l);
@@ -346,12 +307,17 @@ DRILLSTRAND_INLINE Triple times(double across, double along, const Triple& direc
     return combine(across, v, (along - across) * dot(v, direction), direction);
 }
 
+/// u + a x b, in six multiplications that each add.
+DRILLSTRAND_INLINE Triple plus_cross(const Triple& u, const Triple& a, const Triple& b) {
+    return {u.x + a.y * b.z - a.z * b.y, u.y + a.z * b.x - a.x * b.z, u.z + a.x * b.y - a.y * b.x};
+}
+
 /// The straight, slack segment k when its nodes have moved apart and turned (the sum of both): the
 /// force on its first node. `axis` is half its chord: a rigid motion of what is stretched leaves no
 /// force, either.
 DRILLSTRAND_INLINE Triple pull_of(const ConstantLines& c, std::size_t k, const Triple& axis,
                                   const Triple& apart, const Triple& both_turns) {
-    const Triple across = combine(1.0, apart, 1.0, cross(axis, both_turns));
+    const Triple across = plus_cross(apart, axis, both_turns);
     return combine(c.deviating[k], across, c.stretching[k] * dot(apart, axis), axis);
 }
 
@@ -400,46 +366,58 @@ DRILLSTRAND_KERNEL void take_substeps(const BlockTable& constant_table, std::siz
 #pragma omp simd
     for (std::size_t k = 0; k < count; ++k)
         begin(k);
-    for (const double weight : polynomial.weights()) {
+    const auto move = [&](std::size_t k, double kept, double more) DRILLSTRAND_LAMBDA {
+        Triple left = combine(1.0, at(work.force, k), 1.0,
+                              combine(1.0, at(work.pull, k), -1.0, at(before_pull, k)));
+        const Triple couple =
+            combine(1.0, at(work.couple, k), 1.0,
+                    combine(1.0, at(work.first_couple, k), 1.0, at(before_couple, k)));
+        const Triple l = at(work.down_well, k);
+        const Triple t = at(work.director, k);
+        const double about = dot(couple, t);
+        double held = about;
+        if constexpr (touches) {
+            const Triple y = at(work.place, k);
+            const Triple r = at(work.to_axis, k);
+            const double around = work.wall_around[k];
+            left = combine(1.0, left, -around, y);
+            left = combine(1.0, left, -(work.wall_normal[k] - around) * dot(y, r), r);
+            held -= work.wall_spin[k] * dot(at(work.turn, k), t);
+        }
+        // the change: kept times the last one and more times M^-1 left
+        const double across = more * work.inverse_lateral[k];
+        const double along = (more * c.inverse_mass[k] - across) * dot(left, l);
+        const double turning = more * c.inverse_turn[k];
+        const double spinning = more * c.inverse_polar[k] * held - turning * about;
+        const Triple moved = combine(across, left, along, l);
+        const Triple turned = combine(turning, couple, spinning, t);
+        const Triple step_on = combine(kept, at(work.place_change, k), 1.0, moved);
+        const Triple turn_on = combine(kept, at(work.turn_change, k), 1.0, turned);
+        work.place_change.set(k, step_on);
+        work.turn_change.set(k, turn_on);
+        work.place.set(k, combine(1.0, at(work.place, k), 1.0, step_on));
+        work.turn.set(k, combine(1.0, at(work.turn, k), 1.0, turn_on));
+    };
+    // several substeps go along the stretch one block behind the other, so that its numbers come
+    // into the first-level cache once for all of them: a block needs the one behind it before the
+    // substep, and of the one before it the last segment's forces, which are kept
+    constexpr std::size_t at_once = 4;
+    const std::vector<double>& weights = polynomial.weights();
+    for (std::size_t done = 0; done < weights.size(); done += at_once) {
+        const std::size_t together = std::min(at_once, weights.size() - done);
+        for (std::size_t wave = 0; wave + 1 < blocks + together; ++wave) {
+            for (std::size_t i = wave < blocks ? 0 : wave + 1 - blocks; i < together && i <= wave;
+                 ++i) {
+                const std::size_t first = (wave - i) * block_size;
+                const double weight = weights[done + i];
 #pragma omp simd
-        for (std::size_t k = 0; k < count; ++k)
-            resist(k);
-        const double kept = weight - 1.0;
-        const double more = weight * factor;
-        const auto move = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-            Triple left = combine(1.0, at(work.force, k), 1.0,
-                                  combine(1.0, at(work.pull, k), -1.0, at(before_pull, k)));
-            if constexpr (touches) {
-                const Triple y = at(work.place, k);
-                const Triple r = at(work.to_axis, k);
-                const Triple l = at(work.down_well, k);
-                // that around the well everywhere, and what it is more or less along r and l
-                const double around = work.wall_around[k];
-                left = combine(1.0, left, -around, y);
-                left = combine(1.0, left, -(work.wall_normal[k] - around) * dot(y, r), r);
-                left = combine(1.0, left, -(work.wall_along[k] - around) * dot(y, l), l);
-            }
-            Triple couple =
-                combine(1.0, at(work.couple, k), 1.0,
-                        combine(1.0, at(work.first_couple, k), 1.0, at(before_couple, k)));
-            if constexpr (touches) {
-                const Triple t = at(work.director, k);
-                couple = combine(1.0, couple, -work.wall_spin[k] * dot(at(work.turn, k), t), t);
-            }
-            const Triple moved = combine(
-                kept, at(work.place_change, k), more,
-                times(work.inverse_lateral[k], c.inverse_mass[k], at(work.down_well, k), left));
-            const Triple turned =
-                combine(kept, at(work.turn_change, k), more,
-                        times(c.inverse_turn[k], c.inverse_polar[k], at(work.director, k), couple));
-            work.place_change.set(k, moved);
-            work.turn_change.set(k, turned);
-            work.place.set(k, combine(1.0, at(work.place, k), 1.0, moved));
-            work.turn.set(k, combine(1.0, at(work.turn, k), 1.0, turned));
-        };
+                for (std::size_t k = first; k < first + block_size; ++k)
+                    resist(k);
 #pragma omp simd
-        for (std::size_t k = 0; k < count; ++k)
-            move(k);
+                for (std::size_t k = first; k < first + block_size; ++k)
+                    move(k, weight - 1.0, weight * factor);
+            }
+        }
     }
     // what would have brought the nodes there from rest in a step, less what acts: M y 2/T^2 - f
     const double by_step = 2.0 / (step * step);
@@ -546,8 +524,7 @@ void hand_over(BlockTable& work_table, std::size_t first_node, std::size_t nodes
 }
 
 using Gather = void (*)(const DirectorModel&, const Table<DirectorRow>&, const Table<SegmentRow>&,
-                        Table<WallRow>&, const BlockTable&, std::size_t, std::size_t, double,
-                        BlockTable&);
+                        Table<WallRow>&, const BlockTable&, std::size_t, std::size_t, BlockTable&);
 
 template <bool in_well, bool viscous>
 Gather gather_kernel(const DirectorModel& model) {
@@ -572,7 +549,7 @@ Substeps::Substeps(const Scene& scene) : plan_(step_plan(scene)) {
 }
 
 int Substeps::substeps(std::size_t i, double step) const {
-    return substeps_in(plan_.stretches[i], plan_.undamped() * step);
+    return substeps_in(plan_.stretches[i], plan_.undamped(step));
 }
 
 Substeps::Work Substeps::work_for(std::size_t i) const {
@@ -585,7 +562,7 @@ void Substeps::average(const DirectorModel& model, const Table<DirectorRow>& rod
     const int count = substeps(i, step);
     if (count == 1) return;
     gather_kernel(model)(model, rod, segments, wall, stretches_[i].constants, first_node(i),
-                         nodes(i), plan_.undamped() * step, work);
+                         nodes(i), work);
     take(model, i, count, step, work);
     hand_over(work, first_node(i), nodes(i), stretches_[i].held, segments);
 }
@@ -610,7 +587,7 @@ void Substeps::take(const DirectorModel& model, std::size_t i, int count, double
     const bool touches = std::any_of(wall, wall + nodes(i), [](double w) { return w > 0; });
     const auto kernel = touches ? at_level<take_substeps<true>>(model.level)
                                 : at_level<take_substeps<false>>(model.level);
-    kernel(stretches_[i].constants, blocks_for(nodes(i)), plan_.undamped() * step,
+    kernel(stretches_[i].constants, blocks_for(nodes(i)), plan_.undamped(step),
            SubstepPolynomial(count), work);
 }
 
@@ -619,7 +596,7 @@ double Substeps::added_energy(const Table<DirectorRow>& rod, double step) const 
     for (std::size_t i = 0; i < count(); ++i) {
         const int taken = substeps(i, step);
         if (taken == 1) continue;
-        const double period = plan_.undamped() * step;
+        const double period = plan_.undamped(step);
         const double factor = 0.25 * period * period * SubstepPolynomial(taken).slope();
         const ConstantLines c(stretches_[i].constants);
         const auto turning = [&](std::size_t node) {

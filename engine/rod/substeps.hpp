@@ -48,11 +48,6 @@ class SubstepPolynomial {
 /// Substeps of a stretch in a step (s) of a string that nothing damps; 1 where it needs none.
 int substeps_in(const FineStretch& stretch, double step);
 
-/// Mass that a force of the wall on a node moves within a step, over the root of the step
-/// (kg/s^1/2): that of an endless beam, 2 m (EI dt^2/m)^1/4, and a fourth of it at an end. A wall
-/// that would throw it back within a step counts as firm as one that takes a step.
-double moved_by_wall(const Scene& scene, std::size_t node);
-
 /// The fine stretches of a string in the layout of the step loop.
 class Substeps {
   public:

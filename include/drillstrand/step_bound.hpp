@@ -1,6 +1,7 @@
 /// What bounds the time step of an explicit integrator on a scene.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -23,8 +24,7 @@ struct StepBound {
 struct FineStretch {
     std::size_t first = 0;  ///< segment
     std::size_t end = 0;    ///< one past the last
-    double free_step = 0;   ///< at which its rod is stable without substeps and damping (s)
-    double grip = 0;        ///< of walls: mass that they move over that of a node, over sqrt(step)
+    double free_step = 0;   ///< at which rod and wall are stable without substeps and damping (s)
     int substeps = 1;       ///< in a step of the string at its bound
 
     /// What it takes in a step of the string besides its nodes' own part in it, in such parts.
@@ -36,8 +36,13 @@ struct FineStretch {
 struct StepPlan {
     StepBound bound;
     std::vector<FineStretch> stretches;
-    /// What the step could be if nothing damped over what it is, at least 1.
-    [[nodiscard]] double undamped() const { return 2.0 / (bound.rate * bound.step); }
+    double kelvin_voigt = 0;  ///< tau (s)
+    /// The step (s) that polynomials of substeps must be made for, so that no motion that they
+    /// leave has a rate above that which the damping allows at `step`: 2/rate where rate step/2 =
+    /// sqrt(1 + z^2) - z, z = tau rate/2.
+    [[nodiscard]] double undamped(double step) const {
+        return std::sqrt(step * (step + 2 * kelvin_voigt));
+    }
 };
 StepPlan step_plan(const Scene& scene);
 

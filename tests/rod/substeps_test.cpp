@@ -257,7 +257,7 @@ double largest_kappa(const ShakenString& shaken, double step) {
         fine += root * shaken.stiffness_of(substeps.plan().stretches[i]) * root;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(fine);
     VectorXd part = solver.eigenvalues();
-    const double period = substeps.plan().undamped() * step;
+    const double period = substeps.plan().undamped(step);
     const int taken = substeps.substeps(0, step);
     for (double& value : part)
         value = std::sqrt(phi(std::max(0.0, value) * period * period / 4, taken));
