@@ -287,7 +287,7 @@ double work(const StepPlan& plan, std::size_t nodes) {
 double FineStretch::work() const {
     // measured with contact and mud: what a node takes for its forces, and for each substep
     constexpr double forces = 0.5;
-    constexpr double substep = 0.08;
+    constexpr double substep = 0.15;
     return static_cast<double>(end - first + 1) * (forces + substep * substeps);
 }
 

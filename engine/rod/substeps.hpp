@@ -45,9 +45,6 @@ class SubstepPolynomial {
     std::vector<double> weights_;
 };
 
-/// Substeps of a stretch in a step (s) of a string that nothing damps; 1 where it needs none.
-int substeps_in(const FineStretch& stretch, double step);
-
 /// The fine stretches of a string in the layout of the step loop.
 class Substeps {
   public:

@@ -50,7 +50,7 @@ double EnergyAudit::moved() const {
 }
 
 double EnergyAudit::residual() const {
-    constexpr double rounding = 1e-10;
+    constexpr double rounding = 1e-9;
     double largest = 0;
     for (const Range& range : ranges_)
         largest = std::max({largest, std::abs(range.least), std::abs(range.most)});

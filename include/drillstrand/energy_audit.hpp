@@ -24,7 +24,7 @@ class EnergyAudit {
     /// count.
     [[nodiscard]] double moved() const;
 
-    /// What appeared, divided by what moved; 0 where no energy moved but by rounding (1e-10 of the
+    /// What appeared, divided by what moved; 0 where no energy moved but by rounding (1e-9 of the
     /// largest energy), as in a string that stays at rest.
     [[nodiscard]] double residual() const;
 

@@ -46,6 +46,10 @@ struct StepPlan {
 };
 StepPlan step_plan(const Scene& scene);
 
+/// Substeps of a stretch in a step (s) of a string that nothing damps (StepPlan::undamped); 1 where
+/// it needs none.
+int substeps_in(const FineStretch& stretch, double step);
+
 /// The least over the string: of dormand-prince each node with the stiffest of its own segments, of
 /// the leapfrog each segment under the loads that the scene lets expect. The leapfrog solves
 /// contact and fluid implicitly, so that only the rod bounds it: that of its step_plan().

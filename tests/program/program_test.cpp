@@ -156,7 +156,12 @@ TEST_F(Program, CheckTellsTheMeshOfEachComponentAndWhatItCouldNotSee) {
     EXPECT_THAT(field, AllOf(HasSubstr("tool joints of 0.16827 m (6.625 in)"),
                              HasSubstr("touches with 0.2159 m (8.5 in) on 0.152 m"),
                              HasSubstr("bent by 1.15 deg"), HasSubstr("open hole, friction"),
+                             HasSubstr("7 in each step from 2139.3 to 2167.1 m along the string"),
                              Not(HasSubstr("between nodes"))));
+    EXPECT_THAT(run({"check", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml", "--set",
+                     "run.local_steps=false"})
+                    .out,
+                Not(HasSubstr("substeps")));
     const std::string even =
         run({"check", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml", "--set",
              "mesh={segments=400}", "--set", "initial.state='coaxial'"})

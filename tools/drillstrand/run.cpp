@@ -21,6 +21,7 @@
 #include "progress.hpp"
 #include "read_apart.hpp"
 #include "signals.hpp"
+#include "step_estimate.hpp"
 #include "wording.hpp"
 
 namespace drillstrand::program {
@@ -257,6 +258,9 @@ int run(const RunOptions& options) {
     if (goes_on) take_up(origin, options.restart, header, input.run.reproducible, *integrator);
     origin.header = header;
     const RecordCounts taken{origin.series, origin.profiles};
+    if (!options.quiet)
+        for (const std::string& sentence : describe_substeps(input, scene))
+            say("drillstrand: substeps: {}\n", sentence);
     watch_signals();
     Recorder recorder(goes_on ? ResultWriter::resume(output, header, taken.series, taken.profiles)
                               : ResultWriter(output, header, rules.existing()),

@@ -1,5 +1,7 @@
 #include "step_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -14,6 +16,26 @@ StepEstimate estimate_step(const Case& input, const Scene& scene) {
     if (leapfrog) estimate.bound.step *= input.run.cfl;
     estimate.steps = std::ceil(input.run.duration / estimate.bound.step);
     return estimate;
+}
+
+std::vector<std::string> describe_substeps(const Case& input, const Scene& scene) {
+    std::vector<std::string> sentences;
+    if (input.run.integrator != IntegratorKind::leapfrog) return sentences;
+    const StepPlan plan = step_plan(scene);
+    const StringMesh& mesh = scene.mesh;
+    for (const FineStretch& stretch : plan.stretches) {
+        const int substeps = substeps_in(stretch, plan.undamped(input.run.cfl * plan.bound.step));
+        const auto begin = mesh.length.begin();
+        const auto [least, most] =
+            std::minmax_element(begin + static_cast<std::ptrdiff_t>(stretch.first),
+                                begin + static_cast<std::ptrdiff_t>(stretch.end));
+        sentences.push_back(fmt::format(
+            "{} in each step from {:.5g} to {:.5g} m along the string, on {} segments of {:.3g} to "
+            "{:.3g} m",
+            substeps, mesh.node_s[stretch.first], mesh.node_s[stretch.end],
+            stretch.end - stretch.first, *least, *most));
+    }
+    return sentences;
 }
 
 FirstSteps time_first_steps(const Case& input, const Scene& scene) {

@@ -1,6 +1,9 @@
 /// What a run will cost, as far as can be told before it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "drillstrand/case.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/step_bound.hpp"
@@ -15,6 +18,9 @@ struct StepEstimate {
 };
 
 StepEstimate estimate_step(const Case& input, const Scene& scene);
+
+/// Where a run takes substeps, a sentence for each stretch; none with one step for all.
+std::vector<std::string> describe_substeps(const Case& input, const Scene& scene);
 
 /// What the first steps of a run were like on this machine.
 struct FirstSteps {
