@@ -124,7 +124,78 @@ class TubularReader {
         const Material& material = material_of(node);
         component.youngs_modulus = material.youngs_modulus;
         component.poisson_ratio = material.poisson_ratio;
+        component.contact = read_contact(node, component);
+        component.bend = read_bend(node, component);
         return component;
+    }
+
+    /// The only child of that name, or none.
+    [[nodiscard]] pugi::xml_node at_most_one(pugi::xml_node node, const char* name) const {
+        const std::vector<pugi::xml_node> found = file_.children(node, name);
+        if (found.size() > 1)
+            fail(found[1], fmt::format("the component has {} elements {}; expected one: cut the "
+                                       "component between them",
+                                       found.size(), in_quotes(name)));
+        return found.empty() ? pugi::xml_node() : found.front();
+    }
+
+    /// A diameter that touches the wall, at least the component's own.
+    [[nodiscard]] double touching_diameter(pugi::xml_node node, const char* name,
+                                           const Component& component) const {
+        const double diameter = quantity(node, name, dimension::length, plausible::diameter);
+        if (diameter < component.outer_diameter)
+            fail(file_.require(node, name),
+                 fmt::format("{} is {}; expected at least the od of the component", name,
+                             WitsmlFile::written(file_.require(node, name))));
+        return diameter;
+    }
+
+    /// The place on the component that is so far above its lower end.
+    [[nodiscard]] double above_lower_end(pugi::xml_node node, const char* name, double more,
+                                         const Component& component) const {
+        const double above =
+            more + quantity(node, name, dimension::length, plausible::length_or_none);
+        if (above > component.length)
+            fail(file_.require(node, name),
+                 fmt::format("{} is {}, beyond the upper end of the component", name,
+                             WitsmlFile::written(file_.require(node, name))));
+        return component.length - above;
+    }
+
+    /// The blades of a stabilizer, or the gauge of a bit.
+    [[nodiscard]] std::optional<ContactPoint> read_contact(pugi::xml_node node,
+                                                           const Component& component) const {
+        const pugi::xml_node blades = at_most_one(node, "stabilizer");
+        if (blades) {
+            ContactPoint point;
+            point.diameter = touching_diameter(blades, "odBladeMx", component);
+            const double blade = quantity(blades, "lenBlade", dimension::length, plausible::length);
+            point.length =
+                file_.children(blades, "lenBladeGauge").empty()
+                    ? blade
+                    : quantity(blades, "lenBladeGauge", dimension::length, plausible::length);
+            point.position = file_.children(blades, "distBladeBot").empty()
+                                 ? component.length / 2
+                                 : above_lower_end(blades, "distBladeBot", blade / 2, component);
+            return point;
+        }
+        const pugi::xml_node bit = at_most_one(node, "bitRecord");
+        if (!bit || file_.children(bit, "diaBit").empty()) return std::nullopt;
+        const double diameter = touching_diameter(bit, "diaBit", component);
+        return ContactPoint{component.length / 2, diameter, diameter, std::nullopt};
+    }
+
+    /// Its side is not told: that of d1.
+    [[nodiscard]] std::optional<BentPlace> read_bend(pugi::xml_node node,
+                                                     const Component& component) const {
+        const pugi::xml_node bend = at_most_one(node, "bend");
+        if (!bend) return std::nullopt;
+        BentPlace place;
+        place.angle = quantity(bend, "angle", dimension::angle, plausible::bend);
+        place.position = file_.children(bend, "distBendBot").empty()
+                             ? component.length / 2
+                             : above_lower_end(bend, "distBendBot", 0, component);
+        return place;
     }
 
     [[nodiscard]] const Material& material_of(pugi::xml_node node) const {

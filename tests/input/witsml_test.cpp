@@ -58,6 +58,61 @@ TEST(Witsml, TubularGivesComponentsFromHeadToBit) {
     EXPECT_EQ(string[2].youngs_modulus, 206.8e9);
 }
 
+/// The tubular with more in its second component, a collar of 8 in and 30 ft.
+std::string with_tools(const std::string& elements) {
+    std::string text = text_of("tubular.xml");
+    const std::size_t at = text.find("</witsml:tubularComponent>", text.find("<witsml:sequence>2"));
+    return text.insert(at, elements);
+}
+
+TEST(Witsml, StabilizersBitsAndBendsTouchAndKink) {
+    WitsmlFolder folder;
+    folder.write(
+        "string.xml",
+        with_tools("<witsml:stabilizer uid=\"s\"><witsml:lenBlade uom=\"ft\">2</witsml:lenBlade>"
+                   "<witsml:odBladeMx uom=\"in\">9.25</witsml:odBladeMx>"
+                   "<witsml:distBladeBot uom=\"ft\">3</witsml:distBladeBot>"
+                   "</witsml:stabilizer><witsml:bend uid=\"b\">"
+                   "<witsml:angle uom=\"dega\">1.5</witsml:angle>"
+                   "<witsml:distBendBot uom=\"ft\">6</witsml:distBendBot></witsml:bend>"));
+    const std::vector<Component> string = folder.read("case.toml").string.components;
+    ASSERT_TRUE(string[1].contact);
+    EXPECT_DOUBLE_EQ(string[1].contact->diameter, 9.25 * inch);
+    EXPECT_DOUBLE_EQ(string[1].contact->length, 2 * foot);
+    EXPECT_NEAR(string[1].contact->position, 26 * foot, 1e-12);
+    ASSERT_TRUE(string[1].bend);
+    EXPECT_DOUBLE_EQ(string[1].bend->angle, 1.5 * degree);
+    EXPECT_NEAR(string[1].bend->position, 24 * foot, 1e-12);
+    folder.write("string.xml",
+                 with_tools("<witsml:bitRecord uid=\"r\"><witsml:diaBit uom=\"in\">8.5"
+                            "</witsml:diaBit></witsml:bitRecord>"));
+    EXPECT_DOUBLE_EQ(folder.read("case.toml").string.components[1].contact->diameter, 8.5 * inch);
+}
+
+TEST(Witsml, ToolsThatDoNotFitTheirComponentAreRefused) {
+    const auto message_of = [](const std::string& elements) {
+        WitsmlFolder folder;
+        folder.write("string.xml", with_tools(elements));
+        const std::string message = folder.message("case.toml");
+        return message.substr(message.find(": ") + 2);
+    };
+    const std::string blades =
+        "<stabilizer><lenBlade uom=\"ft\">2</lenBlade><odBladeMx "
+        "uom=\"in\">9</odBladeMx></stabilizer>";
+    EXPECT_EQ(message_of(replaced(blades, ">9<", ">7<")),
+              "odBladeMx is 7 in; expected at least the od of the component");
+    EXPECT_EQ(message_of(replaced(blades, "</stabilizer>",
+                                  "<distBladeBot uom=\"ft\">30</distBladeBot></stabilizer>")),
+              "distBladeBot is 30 ft, beyond the upper end of the component");
+    EXPECT_EQ(message_of(replaced(blades, "<odBladeMx uom=\"in\">9</odBladeMx>", "")),
+              R"(missing element "odBladeMx" in "stabilizer"; expected it once)");
+    EXPECT_EQ(
+        message_of(blades + blades),
+        R"(the component has 2 elements "stabilizer"; expected one: cut the component between them)");
+    EXPECT_EQ(message_of("<bend><angle uom=\"ft\">1</angle></bend>"),
+              "angle: ft is a length; expected an angle such as deg, rad");
+}
+
 struct Mistake {
     std::string passage;
     std::string replacement;
