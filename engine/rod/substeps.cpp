@@ -553,42 +553,44 @@ int Substeps::substeps(std::size_t i, double step) const {
 }
 
 Substeps::Work Substeps::work_for(std::size_t i) const {
-    return BlockTable(lines, nodes(i));
+    return {BlockTable(lines, nodes(i)), 0, SubstepPolynomial(1)};
 }
 
 void Substeps::average(const DirectorModel& model, const Table<DirectorRow>& rod,
                        Table<WallRow>& wall, std::size_t i, double step, Work& work,
                        Table<SegmentRow>& segments) const {
-    const int count = substeps(i, step);
-    if (count == 1) return;
+    if (work.step != step) {
+        work.step = step;
+        work.polynomial = SubstepPolynomial(substeps(i, step));
+    }
+    if (work.polynomial.substeps() == 1) return;
     gather_kernel(model)(model, rod, segments, wall, stretches_[i].constants, first_node(i),
-                         nodes(i), work);
-    take(model, i, count, step, work);
-    hand_over(work, first_node(i), nodes(i), stretches_[i].held, segments);
+                         nodes(i), work.lines);
+    take(model, i, work);
+    hand_over(work.lines, first_node(i), nodes(i), stretches_[i].held, segments);
 }
 
 double Substeps::share(const DirectorModel& model, const Table<DirectorRow>& rod,
                        Table<DirectorRow>& next, std::size_t i, double kick, double drift,
                        Work& work) const {
-    const int count = substeps(i, drift);
-    if (count == 1) return 0;
+    if (work.polynomial.substeps() == 1) return 0;
     const BlockTable& its = stretches_[i].constants;
-    at_level<gather_impulses>(model.level)(rod, next, its, first_node(i), nodes(i), kick, work);
-    take(model, i, count, drift, work);
+    at_level<gather_impulses>(model.level)(rod, next, its, first_node(i), nodes(i), kick,
+                                           work.lines);
+    take(model, i, work);
     const auto kernel = model.features.curved ? at_level<share_impulses<true>>(model.level)
                                               : at_level<share_impulses<false>>(model.level);
-    return kernel(rod, next, its, first_node(i), nodes(i), kick, drift, work,
-                  work.row(Line::stored_outflow));
+    return kernel(rod, next, its, first_node(i), nodes(i), kick, drift, work.lines,
+                  work.lines.row(Line::stored_outflow));
 }
 
-void Substeps::take(const DirectorModel& model, std::size_t i, int count, double step,
-                    Work& work) const {
-    const double* wall = work.row(Line::wall_normal);
+void Substeps::take(const DirectorModel& model, std::size_t i, Work& work) const {
+    const double* wall = work.lines.row(Line::wall_normal);
     const bool touches = std::any_of(wall, wall + nodes(i), [](double w) { return w > 0; });
     const auto kernel = touches ? at_level<take_substeps<true>>(model.level)
                                 : at_level<take_substeps<false>>(model.level);
-    kernel(stretches_[i].constants, blocks_for(nodes(i)), plan_.undamped(step),
-           SubstepPolynomial(count), work);
+    kernel(stretches_[i].constants, blocks_for(nodes(i)), plan_.undamped(work.step),
+           work.polynomial, work.lines);
 }
 
 double Substeps::added_energy(const Table<DirectorRow>& rod, double step) const {

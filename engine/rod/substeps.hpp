@@ -48,8 +48,13 @@ class SubstepPolynomial {
 /// The fine stretches of a string in the layout of the step loop.
 class Substeps {
   public:
-    /// Numbers of one stretch that a step writes before it reads them: of each thread its own.
-    using Work = BlockTable;
+    /// What a step writes of one stretch before it reads it, and the polynomial of the last step:
+    /// of each thread its own.
+    struct Work {
+        BlockTable lines;
+        double step = 0;  ///< that the polynomial is for (s)
+        SubstepPolynomial polynomial{1};
+    };
 
     Substeps() = default;
     explicit Substeps(const Scene& scene);
@@ -86,7 +91,7 @@ class Substeps {
     [[nodiscard]] std::size_t nodes(std::size_t i) const {
         return last_node(i) - first_node(i) + 1;
     }
-    void take(const DirectorModel& model, std::size_t i, int count, double step, Work& work) const;
+    void take(const DirectorModel& model, std::size_t i, Work& work) const;
 
     struct Stretch {
         BlockTable constants;
