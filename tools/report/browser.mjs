@@ -29,11 +29,18 @@ export async function openPage(context, url) {
   return page;
 }
 
-/** Scrolls to a section, over its pictures so that each is drawn, and back to its start. */
+/**
+ * Scrolls to a section, over its pictures so that each is drawn, and back to its start. Asks from here and moves again
+ * until it is: a browser on a busy machine may paint no further frame by itself, and what waits for one waits for ever.
+ */
 export async function showSection(page, id) {
   for (const picture of await page.locator(`#${id} .plot, #${id} canvas`).elementHandles()) {
-    await picture.evaluate((one) => one.scrollIntoView());
-    await page.waitForFunction((one) => one.dataset.stale === "false", picture);
+    const places = ["start", "center"];
+    for (let tries = 0; ; ++tries) {
+      await picture.evaluate((one, block) => one.scrollIntoView({ block }), places[tries % places.length]);
+      if (await picture.evaluate((one) => one.dataset.stale === "false")) break;
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
   }
   await page.locator(`#${id}`).evaluate((section) => section.scrollIntoView());
 }
