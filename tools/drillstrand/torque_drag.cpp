@@ -84,20 +84,25 @@ struct Quantity {
     std::vector<double> TorqueDragCurve::*soft;
 };
 
-const Quantity hook_load{"hook load",
-                         "kN",
-                         kilonewton,
-                         2,
-                         true,
-                         &TorqueDragCurve::hook_load,
-                         &TorqueDragCurve::soft_hook_load};
-const Quantity surface_torque{"surface torque",
-                              "kN m",
-                              kilonewton_metre,
-                              3,
-                              false,
-                              &TorqueDragCurve::surface_torque,
-                              &TorqueDragCurve::soft_surface_torque};
+// Made when asked for: a compiler need not have the units of another file ready before main().
+Quantity hook_load() {
+    return {"hook load",
+            "kN",
+            kilonewton,
+            2,
+            true,
+            &TorqueDragCurve::hook_load,
+            &TorqueDragCurve::soft_hook_load};
+}
+Quantity surface_torque() {
+    return {"surface torque",
+            "kN m",
+            kilonewton_metre,
+            3,
+            false,
+            &TorqueDragCurve::surface_torque,
+            &TorqueDragCurve::soft_surface_torque};
+}
 
 void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurve*>& curves,
                  const Quantity& quantity) {
@@ -246,8 +251,8 @@ int torque_drag(const TorqueDragCommand& command) {
     const TorqueDrag study = compute_torque_drag(input, input.run.threads);
     write_files(command, input, study);
     print_case(input, study);
-    print_table(study, all_of(study), hook_load);
-    if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque);
+    print_table(study, all_of(study), hook_load());
+    if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque());
     print_legend(study);
     print_last_depth(study);
     print_failures(study);
