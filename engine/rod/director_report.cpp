@@ -274,19 +274,18 @@ EnergiesAndTensions energies_and_tensions(const DirectorString& string,
     return of;
 }
 
-}  // namespace
-
-namespace {
-
-/// What the segments of fine stretches hand to nodes in a step (s).
-void average_over_substeps(const DirectorString& string, const DirectorState& state, double step,
-                           DirectorSnapshot& at) {
-    if (string.substeps.empty()) return;
+/// What the segments of fine stretches hand to nodes in a step (s); the work of each stretch.
+std::vector<Substeps::Work> average_over_substeps(const DirectorString& string,
+                                                  const DirectorState& state, double step,
+                                                  DirectorSnapshot& at) {
+    std::vector<Substeps::Work> works;
+    if (string.substeps.empty()) return works;
     at.averaged = at.segments;
     for (std::size_t i = 0; i < string.substeps.count(); ++i) {
-        Substeps::Work work = string.substeps.work_for(i);
-        string.substeps.average(string.model, state.rod, at.wall, i, step, work, *at.averaged);
+        works.push_back(string.substeps.work_for(i));
+        string.substeps.average(string.model, state.rod, at.wall, i, step, works[i], *at.averaged);
     }
+    return works;
 }
 
 }  // namespace
@@ -301,13 +300,16 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
         director_segments(model, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
     load_bit(string, state, state.rod, time, at.segments);
-    if (last_drift > 0) average_over_substeps(string, state, last_drift, at);
+    std::vector<Substeps::Work> works;
+    if (last_drift > 0) works = average_over_substeps(string, state, last_drift, at);
     for (const BlockSpan span : string.spans) {
         const NodeStep done = director_nodes(model, state.rod, at.rod, at.handed_over(), at.wall,
                                              span, 0.5 * last_drift, 0.0);
         at.impacts += done.impacts;
         at.slips += done.slips;
     }
+    for (std::size_t i = 0; i < works.size(); ++i)
+        string.substeps.share(model, state.rod, at.rod, i, 0.5 * last_drift, 0.0, works[i]);
     string.head.settle(at.rod, time);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, time));
@@ -330,41 +332,26 @@ double kinetic_energy(const Scene& scene, const Table<DirectorRow>& rod, const T
             scene.mesh.node[node].polar_inertia * s * s);
 }
 
-/// What segments do to a node.
-struct NodeForces {
-    Vector3d force;
-    Vector3d couple;  ///< normal to the director
-    double torque;    ///< about it
-
-    NodeForces(const Table<SegmentRow>& segments, const Vector3d& t, std::size_t node) {
-        const auto after = static_cast<std::ptrdiff_t>(node);
-        const auto before = after - 1;
-        force = segments.vector(SegmentRow::pull, after) -
-                segments.vector(SegmentRow::last_pull, before);
-        const Vector3d own = segments.vector(SegmentRow::first_couple, after) +
-                             segments.vector(SegmentRow::last_couple, before);
-        couple = t.cross(segments.vector(SegmentRow::first_lean, after) +
-                         segments.vector(SegmentRow::last_lean, before)) +
-                 own - own.dot(t) * t;
-        torque = segments.row(SegmentRow::torque)[after] -
-                 segments.row(SegmentRow::last_torque)[before] + own.dot(t);
-    }
-};
+/// What the segments of a table do to a node.
+RodLoad load_on(const Table<SegmentRow>& segments, const Triple& t, std::size_t node) {
+    const auto after = static_cast<std::ptrdiff_t>(node);
+    return rod_load<true>(SegmentsIn(segments, after), SegmentsIn(segments, after - 1), t, 1.0, 0);
+}
 
 /// What the rod's forces on a node do to its velocities in half a step, as an energy (J). The
 /// leapfrog keeps the energy 1/2 m v- . v+ of the half steps before and after, which is by this
 /// less than that of their mean: of a mode near the bound of the step, almost all of it.
 double half_kick_energy(const Scene& scene, const DirectorSnapshot& at, double half_step,
                         std::size_t node) {
-    const Vector3d t = at.rod.vector(DirectorRow::director, node);
-    const NodeForces now(at.segments, t, node);
-    const NodeForces handed(at.handed_over(), t, node);
-    const double along = now.force.dot(t) * handed.force.dot(t);
+    const Triple t = node_triple(at, DirectorRow::director, node);
+    const RodLoad now = load_on(at.segments, t, node);
+    const RodLoad handed = load_on(at.handed_over(), t, node);
+    const double along = dot(now.force, t) * dot(handed.force, t);
     const SectionProperties& section = scene.mesh.node[node];
     const double sideways = section.mass + fluid_mass_at(at.wall, node);
     return 0.5 * half_step * half_step / scene.mesh.cell[node] *
-           (along / section.mass + (now.force.dot(handed.force) - along) / sideways +
-            now.couple.dot(handed.couple) / scene.inertia[node] +
+           (along / section.mass + (dot(now.force, handed.force) - along) / sideways +
+            dot(now.couple, handed.couple) / scene.inertia[node] +
             now.torque * handed.torque / section.polar_inertia);
 }
 
