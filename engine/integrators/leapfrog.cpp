@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "drillstrand/error.hpp"
-#include "drillstrand/step_bound.hpp"
 #include "rod/director_report.hpp"
 #include "state/save.hpp"
 
@@ -32,7 +31,7 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stre
     : string_(scene, level),
       guards_(scene, string_.model, stress_limit),
       time_error_(tolerance, negligible_energy(scene)),
-      bound_(cfl * step_bound(scene, IntegratorKind::leapfrog).step),
+      bound_(cfl * string_.substeps.plan().bound.step),
       groups_(groups_of(string_)),
       state_(initial_state(string_)),
       next_(state_.rod),

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rod/segment_rates.hpp"
-#include "rod/substeps.hpp"
 
 namespace drillstrand {
 
@@ -99,21 +98,59 @@ void offer_strand(Tightest& tightest, const Scene& scene, std::size_t node) {
     offer(zigzag + 4 * k.bending / inertia, "zigzags of neighbouring nodes");
 }
 
-/// Square of the rate at which the firmest wall of the well throws a node back (1/s2).
-double wall_rate2(const Scene& scene, std::size_t node) {
-    return scene.well->largest_firmness() * scene.normal_stiffness[node] / scene.lateral_mass[node];
-}
+/// The firmest wall of the well, and friction, as steps see them; nothing without a well.
+class HoldingWall {
+  public:
+    explicit HoldingWall(const Scene& scene)
+        : scene_(scene), firmness_(scene.well ? scene.well->largest_firmness() : 0) {}
+
+    [[nodiscard]] double firmness() const { return firmness_; }
+    /// Square of the rate at which it throws a node back (1/s2).
+    [[nodiscard]] double rate2(std::size_t node) const {
+        return firmness_ * scene_.normal_stiffness[node] / scene_.lateral_mass[node];
+    }
+    /// Square of the rate of a node that it holds and friction drags, at most (1/s2).
+    [[nodiscard]] double touching_rate2(std::size_t node) const {
+        if (!scene_.well) return 0;
+        const SectionProperties& section = scene_.mesh.node[node];
+        const double radius2 = section.outer_radius * section.outer_radius;
+        return std::max(rate2(node) + rubbing() / scene_.lateral_mass[node],
+                        rubbing() * radius2 / section.polar_inertia);
+    }
+    /// Whether it throws a node back within a step (s): what a step cannot tell would give energy.
+    [[nodiscard]] bool is_beyond(std::size_t node, double step) const {
+        if (!scene_.well) return false;
+        const double stiffness = firmness_ * scene_.normal_stiffness[node] + rubbing();
+        return scene_.mesh.cell[node] * stiffness * step * step > mass_at_hand(node, step);
+    }
+
+  private:
+    /// A surface that is held moves by the node's own motion and by its spin: (u + R s)^2 is at
+    /// most 2 u^2 + 2 R^2 s^2 (Pa).
+    [[nodiscard]] double rubbing() const { return 2 * scene_.contact.tangential_stiffness; }
+    /// Mass that a force on a node moves within a step (kg): that of an endless beam, 2 m (EI
+    /// dt^2/m)^1/4, or a fourth of it at an end.
+    [[nodiscard]] double mass_at_hand(std::size_t node, double step) const {
+        const double mass = scene_.lateral_mass[node];
+        const bool at_end = node == 0 || node + 1 == scene_.mesh.node.size();
+        const double reach =
+            std::pow(scene_.mesh.node[node].bending_stiffness * step * step / mass, 0.25);
+        return mass * std::max(scene_.mesh.cell[node], (at_end ? 0.5 : 2.0) * reach);
+    }
+
+    const Scene& scene_;
+    double firmness_;
+};
 
 StepBound dormand_prince_bound(const Scene& scene) {
+    const HoldingWall wall(scene);
     Tightest tightest;
     for (std::size_t node = 0; node < scene.mesh.node.size(); ++node) {
         offer_strand(tightest, scene, node);
         if (!scene.features.well) continue;
         const double mass = scene.lateral_mass[node];
-        const double firmness = scene.well->largest_firmness();
-        const double firmer_damping = scene.contact.restitution ? std::sqrt(firmness) : 1.0;
-        tightest.offer(std::sqrt(wall_rate2(scene, node)), dormand_prince_oscillation,
-                       "contact springs");
+        const double firmer_damping = scene.contact.restitution ? std::sqrt(wall.firmness()) : 1.0;
+        tightest.offer(std::sqrt(wall.rate2(node)), dormand_prince_oscillation, "contact springs");
         tightest.offer(firmer_damping * scene.normal_damping[node] / mass, dormand_prince_decay,
                        "contact dashpots");
         tightest.offer(std::sqrt(scene.contact.tangential_stiffness / scene.mesh.node[node].mass),
@@ -214,44 +251,10 @@ std::vector<SegmentStep> own_steps(const DampingCase& damping,
     return steps;
 }
 
-/// Stiffness of wall and friction against a node that touches (N/m).
-double holding_stiffness(const Scene& scene, std::size_t node) {
-    return scene.mesh.cell[node] * (scene.well->largest_firmness() * scene.normal_stiffness[node] +
-                                    2 * scene.contact.tangential_stiffness);
-}
-
-/// Square of the rate of a node that the wall holds and friction drags, at most (1/s2).
-double touching_rate2(const Scene& scene, std::size_t node) {
-    const SectionProperties& section = scene.mesh.node[node];
-    const double radius2 = section.outer_radius * section.outer_radius;
-    return std::max(
-        holding_stiffness(scene, node) / (scene.mesh.cell[node] * scene.lateral_mass[node]),
-        2 * scene.contact.tangential_stiffness * radius2 / section.polar_inertia);
-}
-
-/// Mass that a force of the wall on a node moves within a step (kg): that of an endless beam,
-/// 2 m (EI dt^2/m)^1/4, or a fourth of it at an end.
-double mass_at_hand(const Scene& scene, std::size_t node, double step) {
-    const double mass = scene.lateral_mass[node];
-    const bool at_end = node == 0 || node + 1 == scene.mesh.node.size();
-    const double reach =
-        std::pow(scene.mesh.node[node].bending_stiffness * step * step / mass, 0.25);
-    return mass * std::max(scene.mesh.cell[node], (at_end ? 0.5 : 2.0) * reach);
-}
-
-/// Whether the nodes of a stretch come to no wall that throws them back within a step: what a step
-/// cannot tell would give them energy.
-bool tells_walls(const Scene& scene, const FineStretch& stretch, double step) {
-    if (!scene.features.well) return true;
-    for (std::size_t k = stretch.first; k <= stretch.end; ++k)
-        if (holding_stiffness(scene, k) * step * step > mass_at_hand(scene, k, step)) return false;
-    return true;
-}
-
 /// The segments whose own step is below that of the string, and one more on each side of them, so
 /// that neighbours at the ends of a stretch are alike.
-std::vector<FineStretch> stretches_below(const Scene& scene, const std::vector<SegmentStep>& steps,
-                                         double step) {
+std::vector<FineStretch> stretches_below(const std::vector<SegmentStep>& steps,
+                                         const HoldingWall& wall, double step) {
     std::vector<FineStretch> stretches;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (steps[k].damped >= step) continue;
@@ -264,10 +267,9 @@ std::vector<FineStretch> stretches_below(const Scene& scene, const std::vector<S
     for (FineStretch& stretch : stretches) {
         for (std::size_t k = stretch.first; k < stretch.end; ++k)
             stretch.free_step = std::min(stretch.free_step, steps[k].free);
-        if (!scene.features.well) continue;
         double touching2 = 0;
         for (std::size_t k = stretch.first; k <= stretch.end; ++k)
-            touching2 = std::max(touching2, touching_rate2(scene, k));
+            touching2 = std::max(touching2, wall.touching_rate2(k));
         const double free2 = std::pow(leapfrog_oscillation / stretch.free_step, 2);
         stretch.free_step = leapfrog_oscillation / std::sqrt(free2 + touching2);
     }
@@ -300,22 +302,25 @@ StepPlan step_plan(const Scene& scene) {
     constexpr double worthwhile = 0.75;
     constexpr double finer = 1.19;  // four tries for each doubling of the step
     const std::vector<SegmentStep> steps = own_steps(scene.damping, segments);
+    const HoldingWall wall(scene);
     const std::size_t nodes = segments.size() + 1;
     double least_work = worthwhile * work(best, nodes);
     const double longest = std::max_element(steps.begin(), steps.end(), [](auto& a, auto& b) {
                                return a.damped < b.damped;
                            })->damped;
     for (double step = best.bound.step; step <= longest; step *= finer) {
-        std::vector<FineStretch> stretches = stretches_below(scene, steps, step);
+        std::vector<FineStretch> stretches = stretches_below(steps, wall, step);
         if (stretches.empty()) continue;
         const StepBound bound = leapfrog_bound(scene.damping, segments, stretches);
         StepPlan plan{bound, std::move(stretches), tau};
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
         const double step_without_damping = plan.undamped(plan.bound.step);
-        if (!std::all_of(plan.stretches.begin(), plan.stretches.end(), [&](const auto& stretch) {
-                return tells_walls(scene, stretch, step_without_damping);
-            }))
-            break;
+        const auto tells_walls = [&](const FineStretch& stretch) {
+            for (std::size_t k = stretch.first; k <= stretch.end; ++k)
+                if (wall.is_beyond(k, step_without_damping)) return false;
+            return true;
+        };
+        if (!std::all_of(plan.stretches.begin(), plan.stretches.end(), tells_walls)) break;
         for (FineStretch& stretch : plan.stretches)
             stretch.substeps = substeps_in(stretch, step_without_damping);
         if (work(plan, nodes) >= least_work) continue;

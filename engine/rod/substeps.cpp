@@ -221,18 +221,8 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
     const SegmentsIn before(segments, first - 1);
     const ConstantLines c(constant_table);
     const WorkLines work(work_table);
-    WallRows wall;
-    if constexpr (in_well) wall = WallRows(model.surroundings, wall_table, first);
-    const FrictionParameters friction = model.surroundings.parameters().friction;
     const double* weight = model.constants.row(DirectorConstants::weight) + first;
     const Triple down = triple(model.down);
-    const double* static_axial = in_well ? wall_table.row(WallRow::static_axial) + first : nullptr;
-    const double* static_around =
-        in_well ? wall_table.row(WallRow::static_azimuthal) + first : nullptr;
-    const double* dynamic_axial =
-        in_well ? wall_table.row(WallRow::dynamic_axial) + first : nullptr;
-    const double* dynamic_around =
-        in_well ? wall_table.row(WallRow::dynamic_azimuthal) + first : nullptr;
 
     const auto pull = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         const Triple t = in.t[k];
@@ -253,38 +243,6 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
     const auto direct = [&](std::size_t k) DRILLSTRAND_LAMBDA {
         work.axis.set(k, combine(0.5, in.x[k + 1], -0.5, in.x[k]));
     };
-    const auto hold = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-        const WellFrame frame = well_frame(in.x[k], wall.arc(k));
-        const double depth = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
-        const double touching = (depth > 0.0 ? 1.0 : 0.0) * c.cell[k];
-        const double firm = touching * wall.stiffness[k];
-        const double rubs = touching * friction.stiffness;
-        // friction as its spring holds, on the cone of the normal force
-        const double normal = firm * depth;
-        FrictionParameters its = friction.with({static_axial[k], static_around[k]},
-                                               {dynamic_axial[k], dynamic_around[k]});
-        its.stiffness = rubs;
-        const Tangential rub = friction_force(wall.spring(k), normal, its);
-        const Triple rubbing = combine(rub.axial, frame.l, rub.azimuthal, frame.t);
-        work.held.set(k, combine(normal, frame.r, 1.0, rubbing));
-        work.held_torque[k] = wall.pipe[k] * rub.azimuthal;
-        // a node that touches goes around the axis against N/e; friction holds its surface, whose
-        // motion is both the node's and that of its spin: (u + R s)^2 <= 2 u^2 + 2 R^2 s^2
-        const double apart = frame.eccentricity > depth ? frame.eccentricity : depth;
-        work.wall_normal[k] = firm;
-        work.wall_around[k] = firm * depth / (apart > 0.0 ? apart : 1.0) + 2.0 * rubs;
-        work.wall_spin[k] = 2.0 * rubs * wall.pipe[k] * wall.pipe[k];
-        work.to_axis.set(k, frame.r);
-        work.down_well.set(k, frame.l);
-    };
-    const auto add = [&](std::size_t k) DRILLSTRAND_LAMBDA {
-        const bool mobile = c.mass[k] > 0.0;
-        const double sideways = c.mass[k] + c.cell[k] * wall.fluid_mass[k];
-        work.lateral[k] = mobile ? sideways : 0.0;
-        work.inverse_lateral[k] = mobile ? 1.0 / (mobile ? sideways : 1.0) : 0.0;
-        work.force.set(k, combine(1.0, at(work.force, k), 1.0, at(work.held, k)));
-        work.couple.set(k, combine(1.0, at(work.couple, k), work.held_torque[k], in.t[k]));
-    };
 #pragma omp simd
     for (std::size_t k = 0; k < nodes; ++k)
         pull(k);
@@ -292,6 +250,41 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
     for (std::size_t k = 0; k < nodes - 1; ++k)
         direct(k);
     if constexpr (in_well) {
+        const WallRows wall(model.surroundings, wall_table, first);
+        const VaryingWall sections(wall_table, first);
+        const FrictionParameters friction = model.surroundings.parameters().friction;
+        const auto hold = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            const WellFrame frame = well_frame(in.x[k], wall.arc(k));
+            const double depth = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
+            const double touching = (depth > 0.0 ? 1.0 : 0.0) * c.cell[k];
+            const double firm = touching * wall.stiffness[k];
+            const double rubs = touching * friction.stiffness;
+            // friction as its spring holds, on the cone of the normal force
+            const double normal = firm * depth;
+            FrictionParameters its = sections.friction(k, friction);
+            its.stiffness = rubs;
+            const Tangential rub = friction_force(wall.spring(k), normal, its);
+            const Triple rubbing = combine(rub.axial, frame.l, rub.azimuthal, frame.t);
+            work.held.set(k, combine(normal, frame.r, 1.0, rubbing));
+            work.held_torque[k] = wall.pipe[k] * rub.azimuthal;
+            // a node that touches goes around the axis against N/e; friction holds its surface,
+            // whose motion is both the node's and that of its spin: (u + R s)^2 <= 2 u^2 + 2 R^2
+            // s^2
+            const double apart = frame.eccentricity > depth ? frame.eccentricity : depth;
+            work.wall_normal[k] = firm;
+            work.wall_around[k] = firm * depth / (apart > 0.0 ? apart : 1.0) + 2.0 * rubs;
+            work.wall_spin[k] = 2.0 * rubs * wall.pipe[k] * wall.pipe[k];
+            work.to_axis.set(k, frame.r);
+            work.down_well.set(k, frame.l);
+        };
+        const auto add = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+            const bool mobile = c.mass[k] > 0.0;
+            const double sideways = c.mass[k] + c.cell[k] * wall.fluid_mass[k];
+            work.lateral[k] = mobile ? sideways : 0.0;
+            work.inverse_lateral[k] = mobile ? 1.0 / (mobile ? sideways : 1.0) : 0.0;
+            work.force.set(k, combine(1.0, at(work.force, k), 1.0, at(work.held, k)));
+            work.couple.set(k, combine(1.0, at(work.couple, k), work.held_torque[k], in.t[k]));
+        };
 #pragma omp simd
         for (std::size_t k = 0; k < nodes; ++k)
             hold(k);
@@ -499,9 +492,9 @@ DRILLSTRAND_KERNEL double share_impulses(const Table<DirectorRow>& rod, Table<Di
 }
 
 /// Hands the changes of the nodes' forces over to the segments before them, that of the first node
-/// to the one behind it.
-void hand_over(BlockTable& work_table, std::size_t first_node, std::size_t nodes, bool held,
-               Table<SegmentRow>& segments) {
+/// to the one behind it, but for a node whose motion is prescribed.
+void hand_over(const BlockTable& constant_table, BlockTable& work_table, std::size_t first_node,
+               std::size_t nodes, Table<SegmentRow>& segments) {
     const WorkLines work(work_table);
     const auto add = [&](SegmentRow pull, SegmentRow lean, SegmentRow torque, double sign,
                          std::size_t segment, std::size_t k) {
@@ -519,7 +512,7 @@ void hand_over(BlockTable& work_table, std::size_t first_node, std::size_t nodes
     for (std::size_t k = 1; k < nodes; ++k)
         add(SegmentRow::last_pull, SegmentRow::last_lean, SegmentRow::last_torque, -1.0,
             first_node + k - 1, k);
-    if (!held)
+    if (ConstantLines(constant_table).mass[0] > 0.0)
         add(SegmentRow::pull, SegmentRow::first_lean, SegmentRow::torque, 1.0, first_node, 0);
 }
 
@@ -544,8 +537,7 @@ Substeps::Substeps(const Scene& scene) : plan_(step_plan(scene)) {
     if (plan_.stretches.empty()) return;
     const std::vector<ExpectedLoad> loads = expected_loads(scene);
     for (const FineStretch& stretch : plan_.stretches)
-        stretches_.push_back({constants_of(scene, loads, stretch),
-                              stretch.first == 0 && scene.head.motion == HeadMotion::driven});
+        constants_.push_back(constants_of(scene, loads, stretch));
 }
 
 int Substeps::substeps(std::size_t i, double step) const {
@@ -564,17 +556,17 @@ void Substeps::average(const DirectorModel& model, const Table<DirectorRow>& rod
         work.polynomial = SubstepPolynomial(substeps(i, step));
     }
     if (work.polynomial.substeps() == 1) return;
-    gather_kernel(model)(model, rod, segments, wall, stretches_[i].constants, first_node(i),
-                         nodes(i), work.lines);
+    gather_kernel(model)(model, rod, segments, wall, constants_[i], first_node(i), nodes(i),
+                         work.lines);
     take(model, i, work);
-    hand_over(work.lines, first_node(i), nodes(i), stretches_[i].held, segments);
+    hand_over(constants_[i], work.lines, first_node(i), nodes(i), segments);
 }
 
 double Substeps::share(const DirectorModel& model, const Table<DirectorRow>& rod,
                        Table<DirectorRow>& next, std::size_t i, double kick, double drift,
                        Work& work) const {
     if (work.polynomial.substeps() == 1) return 0;
-    const BlockTable& its = stretches_[i].constants;
+    const BlockTable& its = constants_[i];
     at_level<gather_impulses>(model.level)(rod, next, its, first_node(i), nodes(i), kick,
                                            work.lines);
     take(model, i, work);
@@ -589,8 +581,8 @@ void Substeps::take(const DirectorModel& model, std::size_t i, Work& work) const
     const bool touches = std::any_of(wall, wall + nodes(i), [](double w) { return w > 0; });
     const auto kernel = touches ? at_level<take_substeps<true>>(model.level)
                                 : at_level<take_substeps<false>>(model.level);
-    kernel(stretches_[i].constants, blocks_for(nodes(i)), plan_.undamped(work.step),
-           work.polynomial, work.lines);
+    kernel(constants_[i], blocks_for(nodes(i)), plan_.undamped(work.step), work.polynomial,
+           work.lines);
 }
 
 double Substeps::added_energy(const Table<DirectorRow>& rod, double step) const {
@@ -600,7 +592,7 @@ double Substeps::added_energy(const Table<DirectorRow>& rod, double step) const 
         if (taken == 1) continue;
         const double period = plan_.undamped(step);
         const double factor = 0.25 * period * period * SubstepPolynomial(taken).slope();
-        const ConstantLines c(stretches_[i].constants);
+        const ConstantLines c(constants_[i]);
         const auto turning = [&](std::size_t node) {
             const Eigen::Vector3d w =
                 rod.vector(DirectorRow::angular_velocity, node) +

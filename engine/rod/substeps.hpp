@@ -59,8 +59,8 @@ class Substeps {
     Substeps() = default;
     explicit Substeps(const Scene& scene);
 
-    [[nodiscard]] std::size_t count() const { return stretches_.size(); }
-    [[nodiscard]] bool empty() const { return stretches_.empty(); }
+    [[nodiscard]] std::size_t count() const { return constants_.size(); }
+    [[nodiscard]] bool empty() const { return constants_.empty(); }
     [[nodiscard]] const StepPlan& plan() const { return plan_; }
     /// First and last node of a stretch.
     [[nodiscard]] std::size_t first_node(std::size_t i) const { return plan_.stretches[i].first; }
@@ -93,13 +93,8 @@ class Substeps {
     }
     void take(const DirectorModel& model, std::size_t i, Work& work) const;
 
-    struct Stretch {
-        BlockTable constants;
-        bool held = false;  ///< the first node's motion is prescribed
-    };
-
     StepPlan plan_;
-    std::vector<Stretch> stretches_;
+    std::vector<BlockTable> constants_;  ///< of each stretch
 };
 
 }  // namespace drillstrand

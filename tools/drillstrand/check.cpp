@@ -365,7 +365,7 @@ void print_cost(const Case& input, const Scene& scene) {
         fmt::format("at most about {:.2g} s, for {} ({:.2g} rad/s); {:.2g} s in the first {} steps",
                     estimate.bound.step, estimate.bound.process, estimate.bound.rate,
                     first.mean_step, count_text(first.count)));
-    for (const std::string& sentence : describe_substeps(input, scene))
+    for (const std::string& sentence : estimate.substeps)
         line("substeps", sentence);
     line("cost", fmt::format("about {} to {} steps, {} to {} at the speed of the first steps on "
                              "this machine",

@@ -259,7 +259,7 @@ int run(const RunOptions& options) {
     origin.header = header;
     const RecordCounts taken{origin.series, origin.profiles};
     if (!options.quiet)
-        for (const std::string& sentence : describe_substeps(input, scene))
+        for (const std::string& sentence : estimate_step(input, scene).substeps)
             say("drillstrand: substeps: {}\n", sentence);
     watch_signals();
     Recorder recorder(goes_on ? ResultWriter::resume(output, header, taken.series, taken.profiles)

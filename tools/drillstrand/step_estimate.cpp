@@ -10,21 +10,12 @@
 
 namespace drillstrand::program {
 
-StepEstimate estimate_step(const Case& input, const Scene& scene) {
-    const bool leapfrog = input.run.integrator == IntegratorKind::leapfrog;
-    StepEstimate estimate{step_bound(scene, input.run.integrator), 0};
-    if (leapfrog) estimate.bound.step *= input.run.cfl;
-    estimate.steps = std::ceil(input.run.duration / estimate.bound.step);
-    return estimate;
-}
+namespace {
 
-std::vector<std::string> describe_substeps(const Case& input, const Scene& scene) {
+std::vector<std::string> describe_substeps(const StepPlan& plan, double step,
+                                           const StringMesh& mesh) {
     std::vector<std::string> sentences;
-    if (input.run.integrator != IntegratorKind::leapfrog) return sentences;
-    const StepPlan plan = step_plan(scene);
-    const StringMesh& mesh = scene.mesh;
     for (const FineStretch& stretch : plan.stretches) {
-        const int substeps = substeps_in(stretch, plan.undamped(input.run.cfl * plan.bound.step));
         const auto begin = mesh.length.begin();
         const auto [least, most] =
             std::minmax_element(begin + static_cast<std::ptrdiff_t>(stretch.first),
@@ -32,10 +23,26 @@ std::vector<std::string> describe_substeps(const Case& input, const Scene& scene
         sentences.push_back(fmt::format(
             "{} in each step from {:.5g} to {:.5g} m along the string, on {} segments of {:.3g} to "
             "{:.3g} m",
-            substeps, mesh.node_s[stretch.first], mesh.node_s[stretch.end],
-            stretch.end - stretch.first, *least, *most));
+            substeps_in(stretch, plan.undamped(step)), mesh.node_s[stretch.first],
+            mesh.node_s[stretch.end], stretch.end - stretch.first, *least, *most));
     }
     return sentences;
+}
+
+}  // namespace
+
+StepEstimate estimate_step(const Case& input, const Scene& scene) {
+    StepEstimate estimate;
+    if (input.run.integrator == IntegratorKind::leapfrog) {
+        const StepPlan plan = step_plan(scene);
+        estimate.bound = plan.bound;
+        estimate.bound.step *= input.run.cfl;
+        estimate.substeps = describe_substeps(plan, estimate.bound.step, scene.mesh);
+    } else {
+        estimate.bound = step_bound(scene, input.run.integrator);
+    }
+    estimate.steps = std::ceil(input.run.duration / estimate.bound.step);
+    return estimate;
 }
 
 FirstSteps time_first_steps(const Case& input, const Scene& scene) {

@@ -15,12 +15,11 @@ namespace drillstrand::program {
 struct StepEstimate {
     StepBound bound;
     double steps = 0;  ///< over the run, at that step
+    /// Where it takes substeps, a sentence for each stretch; none with one step for all.
+    std::vector<std::string> substeps;
 };
 
 StepEstimate estimate_step(const Case& input, const Scene& scene);
-
-/// Where a run takes substeps, a sentence for each stretch; none with one step for all.
-std::vector<std::string> describe_substeps(const Case& input, const Scene& scene);
 
 /// What the first steps of a run were like on this machine.
 struct FirstSteps {
