@@ -49,14 +49,14 @@ std::string_view motion_word(StringMotion motion) {
 std::string bottom_text(StringMotion motion, double weight_on_bit) {
     const bool rests_off = motion == StringMotion::rest && weight_on_bit == 0;
     if (!bit_is_loaded(motion) || rests_off) return "off bottom";
-    return fmt::format("on bottom, {:.6g} kN", weight_on_bit / kilonewton);
+    return fmt::format("on bottom, {:.6g} kN", weight_on_bit / kilonewton());
 }
 
 std::string motion_text(StringMotion word, const SteadyMotion& motion, double weight_on_bit) {
     std::string text = fmt::format("{}, {}", motion_word(word), bottom_text(word, weight_on_bit));
     // alone, a speed along the well has a direction but no size that matters
     if (motion.rotation_rate != 0)
-        text += fmt::format(", {:.4g} rpm", motion.rotation_rate / revolution_per_minute);
+        text += fmt::format(", {:.4g} rpm", motion.rotation_rate / revolution_per_minute());
     if (motion.rotation_rate != 0 && motion.axial_speed != 0)
         text += fmt::format(", {:.4g} m/s along the well", motion.axial_speed);
     return text;
@@ -91,26 +91,27 @@ void print_contact(const Scene& scene, const Equilibrium& found) {
     const auto worst_node = std::max_element(side.begin(), side.end());
     line("side force",
          "{:.6g} kN in all, at most {:.6g} kN/m over {:.4g} m, {:.5g} m from the head",
-         total / kilonewton, *worst / kilonewton_per_metre, scene.side_force_window,
+         total / kilonewton(), *worst / kilonewton_per_metre(), scene.side_force_window,
          place_of(mean, worst));
-    line("", "{:.6g} kN/m on one node, {:.5g} m from the head", *worst_node / kilonewton_per_metre,
-         place_of(side, worst_node));
+    line("", "{:.6g} kN/m on one node, {:.5g} m from the head",
+         *worst_node / kilonewton_per_metre(), place_of(side, worst_node));
 }
 
 void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium& found,
                        const SteadyMotion& motion, double seconds) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
     line("motion", "{}", motion_text(input.equilibrium.motion, motion, found.series.weight_on_bit));
-    line("hook load", "{:.9g} kN", in(kilonewton, found.hook_load));
-    line("head torque", "{:.6g} kN m", in(kilonewton_metre, found.surface_torque));
+    line("hook load", "{:.9g} kN", in(kilonewton(), found.hook_load));
+    line("head torque", "{:.6g} kN m", in(kilonewton_metre(), found.surface_torque));
     line("head stress", "{:.9g} kN axial, {:.6g} kN m twist, in the first segment",
-         in(kilonewton, found.series.head_stress[3]),
-         in(kilonewton_metre, found.series.head_stress[0]));
+         in(kilonewton(), found.series.head_stress[3]),
+         in(kilonewton_metre(), found.series.head_stress[0]));
     line("bit stress", "{:.9g} kN axial, {:.6g} kN m twist, in the last segment",
-         in(kilonewton, found.series.bit_stress[3]),
-         in(kilonewton_metre, found.series.bit_stress[0]));
-    line("bit load", "{} kN, {} kN m (north, east, down)", vector_text(kilonewton, found.bit_force),
-         vector_text(kilonewton_metre, found.bit_couple));
+         in(kilonewton(), found.series.bit_stress[3]),
+         in(kilonewton_metre(), found.series.bit_stress[0]));
+    line("bit load", "{} kN, {} kN m (north, east, down)",
+         vector_text(kilonewton(), found.bit_force),
+         vector_text(kilonewton_metre(), found.bit_couple));
     const Eigen::Vector3d& bit = found.series.bit_position;
     line("bit position", "({:.9f}, {:.9f}, {:.9f}) m", bit.x(), bit.y(), bit.z());
     print_contact(scene, found);

@@ -69,7 +69,7 @@ void print_case(const Case& input, const TorqueDrag& study) {
          study.segment_s.size(), study.node_s.back() / static_cast<double>(study.segment_s.size()));
     print_friction(input);
     line("bit", "on bottom, {:.6g} kN, where it drills or slides; else off bottom",
-         input.bit.weight.values().back() / kilonewton);
+         input.bit.weight.values().back() / kilonewton());
     fmt::print("\n");
 }
 
@@ -84,25 +84,20 @@ struct Quantity {
     std::vector<double> TorqueDragCurve::*soft;
 };
 
-// Made when asked for: a compiler need not have the units of another file ready before main().
-Quantity hook_load() {
-    return {"hook load",
-            "kN",
-            kilonewton,
-            2,
-            true,
-            &TorqueDragCurve::hook_load,
-            &TorqueDragCurve::soft_hook_load};
-}
-Quantity surface_torque() {
-    return {"surface torque",
-            "kN m",
-            kilonewton_metre,
-            3,
-            false,
-            &TorqueDragCurve::surface_torque,
-            &TorqueDragCurve::soft_surface_torque};
-}
+const Quantity hook_load{"hook load",
+                         "kN",
+                         kilonewton(),
+                         2,
+                         true,
+                         &TorqueDragCurve::hook_load,
+                         &TorqueDragCurve::soft_hook_load};
+const Quantity surface_torque{"surface torque",
+                              "kN m",
+                              kilonewton_metre(),
+                              3,
+                              false,
+                              &TorqueDragCurve::surface_torque,
+                              &TorqueDragCurve::soft_surface_torque};
 
 void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurve*>& curves,
                  const Quantity& quantity) {
@@ -192,12 +187,12 @@ void print_last_depth(const TorqueDrag& study) {
         const TorqueDragProfile& profile = curve.profile;
         fmt::print("  {:<19}  {:>11}", motion_words(curve.motion),
                    number(curve.neutral_point.back(), 1, 2));
+        fmt::print("  {}", largest_text(profile.side_force, study.measured_depth,
+                                        kilonewton_per_metre(), 3));
         fmt::print("  {}",
-                   largest_text(profile.side_force, study.measured_depth, kilonewton_per_metre, 3));
+                   largest_text(profile.bending_stress, study.measured_depth, megapascal(), 1));
         fmt::print("  {}",
-                   largest_text(profile.bending_stress, study.measured_depth, megapascal, 1));
-        fmt::print("  {}",
-                   largest_text(profile.von_mises_stress, study.measured_depth, megapascal, 1));
+                   largest_text(profile.von_mises_stress, study.measured_depth, megapascal(), 1));
         fmt::print("  {}\n", buckling_text(study, profile));
     }
 }
@@ -251,8 +246,8 @@ int torque_drag(const TorqueDragCommand& command) {
     const TorqueDrag study = compute_torque_drag(input, input.run.threads);
     write_files(command, input, study);
     print_case(input, study);
-    print_table(study, all_of(study), hook_load());
-    if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque());
+    print_table(study, all_of(study), hook_load);
+    if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque);
     print_legend(study);
     print_last_depth(study);
     print_failures(study);

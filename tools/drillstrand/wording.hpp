@@ -8,13 +8,26 @@
 
 namespace drillstrand::program {
 
-// Units that messages use, in SI.
-inline const double kilonewton = unit_factor("kN", dimension::force);
-inline const double kilonewton_metre = unit_factor("kN m", dimension::moment);
-inline const double kilonewton_per_metre = unit_factor("kN/m", {1, 0, -2});
-inline const double megapascal = unit_factor("MPa", dimension::pressure);
-inline const double millimetre = unit_factor("mm", dimension::length);
-inline const double revolution_per_minute = unit_factor("rpm", dimension::frequency);
+// Units that messages use, in SI. Functions, since a compiler need not have a variable of one file
+// ready when another's is made before main().
+inline double kilonewton() {
+    return unit_factor("kN", dimension::force);
+}
+inline double kilonewton_metre() {
+    return unit_factor("kN m", dimension::moment);
+}
+inline double kilonewton_per_metre() {
+    return unit_factor("kN/m", {1, 0, -2});
+}
+inline double megapascal() {
+    return unit_factor("MPa", dimension::pressure);
+}
+inline double millimetre() {
+    return unit_factor("mm", dimension::length);
+}
+inline double revolution_per_minute() {
+    return unit_factor("rpm", dimension::frequency);
+}
 
 /// "0.41 s", "42 s", "3 min 20 s", "2 h 05 min", "3.2 days".
 std::string duration_text(double seconds);
