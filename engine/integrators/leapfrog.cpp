@@ -32,68 +32,16 @@ Leapfrog::Leapfrog(const Scene& scene, double cfl, double tolerance, double stre
       guards_(scene, string_.model, stress_limit),
       time_error_(tolerance, negligible_energy(scene)),
       bound_(cfl * string_.substeps.plan().bound.step),
-      groups_(groups_of(string_)),
       state_(initial_state(string_)),
       next_(state_.rod),
-      team_(std::min(threads, static_cast<int>(groups_.size()))),
+      team_(std::min(threads, static_cast<int>(most_shares(string_)))),
       workers_(static_cast<std::size_t>(team_.members())) {
+    for (std::size_t team = 1; team <= workers_.size(); ++team)
+        shares_.push_back(shares_of(string_, team));
     for (Worker& worker : workers_) {
         worker.segments = Table<SegmentRow>(string_.model.segments + 1);
         for (std::size_t i = 0; i < string_.substeps.count(); ++i)
             worker.substeps.push_back(string_.substeps.work_for(i));
-    }
-}
-
-std::vector<Leapfrog::SpanGroup> Leapfrog::groups_of(const DirectorString& string) {
-    std::vector<SpanGroup> groups;
-    std::size_t stretch = 0;
-    const Substeps& substeps = string.substeps;
-    for (std::size_t i = 0; i < string.spans.size(); ++i) {
-        const std::size_t first_node = string.spans[i].begin * block_size;
-        const std::size_t end_node = string.spans[i].end * block_size;
-        const bool goes_on = stretch > 0 && substeps.last_node(stretch - 1) >= first_node;
-        if (!goes_on) groups.push_back({i, i, 0});
-        groups.back().end_span = i + 1;
-        groups.back().work += static_cast<double>(string.spans[i].entries());
-        for (; stretch < substeps.count() && substeps.first_node(stretch) < end_node; ++stretch)
-            groups.back().work += substeps.plan().stretches[stretch].work();
-    }
-    return groups;
-}
-
-/// Neighbouring groups to each thread, at least one, of work as equal as they allow.
-void Leapfrog::give_share(Worker& worker, std::size_t thread, std::size_t threads) const {
-    double all = 0;
-    for (const SpanGroup& group : groups_)
-        all += group.work;
-    const auto begin_of = [&](std::size_t its) {
-        const double before = all * static_cast<double>(its) / static_cast<double>(threads);
-        double sum = 0;
-        std::size_t group = 0;
-        while (group < groups_.size() && sum + 0.5 * groups_[group].work < before)
-            sum += groups_[group++].work;
-        return std::clamp(group, its, groups_.size() - (threads - its));
-    };
-    worker.first_span = groups_[begin_of(thread)].first_span;
-    worker.end_span = groups_[begin_of(thread + 1) - 1].end_span;
-    worker.begin = string_.spans[worker.first_span].begin;
-    worker.end = string_.spans[worker.end_span - 1].end;
-
-    worker.stretches.clear();
-    worker.early.clear();
-    const Substeps& substeps = string_.substeps;
-    for (std::size_t i = 0; i < substeps.count(); ++i) {
-        const std::size_t first = substeps.first_node(i);
-        if (first < worker.begin * block_size || first >= worker.end * block_size) continue;
-        worker.stretches.push_back(i);
-        for (std::size_t span = worker.first_span; span < worker.end_span; ++span) {
-            const BlockSpan blocks = string_.spans[span];
-            // from the segment before the first node on, as far as it is the worker's
-            if (blocks.end * block_size + 1 > first &&
-                blocks.begin * block_size <= substeps.last_node(i) &&
-                (worker.early.empty() || worker.early.back() < span))
-                worker.early.push_back(span);
-        }
     }
 }
 
@@ -161,7 +109,7 @@ void Leapfrog::take(std::int64_t steps) {
 /// The time loop: one barrier a step.
 void Leapfrog::run(std::size_t thread, std::size_t threads) {
     Worker& worker = workers_[thread];
-    give_share(worker, thread, threads);
+    worker.share = &shares_[threads - 1][thread];
     worker.coarsest = state_.coarsest;
     const Course course = state_.course;
     const std::int64_t steps_before = state_.statistics.steps;
@@ -200,22 +148,23 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
                           const DirectorStep& step) {
     const DirectorModel& model = string_.model;
     Table<SegmentRow>& segments = worker.segments;
-    const bool owns_head = worker.begin == 0;
-    const bool owns_bit = worker.end == string_.spans.back().end;
+    const bool owns_head = worker.share->begin == 0;
+    const bool owns_bit = worker.share->end == string_.spans.back().end;
     bool sound = true;
     if (owns_head)
         string_.head.load(segments, rod, step.time);
     else
-        director_segments(model, rod, segments, {worker.begin - 1, worker.begin}, step.last_drift);
-    for (const std::size_t span : worker.early)
+        director_segments(model, rod, segments, {worker.share->begin - 1, worker.share->begin},
+                          step.last_drift);
+    for (const std::size_t span : worker.share->early)
         fill_segments(worker, span, rod, step);
-    for (const std::size_t stretch : worker.stretches)
+    for (const std::size_t stretch : worker.share->stretches)
         string_.substeps.average(model, rod, state_.wall, stretch, step.drift,
                                  worker.substeps[stretch], segments);
-    auto early = worker.early.begin();
-    for (std::size_t i = worker.first_span; i < worker.end_span; ++i) {
+    auto early = worker.share->early.begin();
+    for (std::size_t i = worker.share->first_span; i < worker.share->end_span; ++i) {
         const BlockSpan span = string_.spans[i];
-        if (early != worker.early.end() && *early == i)
+        if (early != worker.share->early.end() && *early == i)
             ++early;
         else
             fill_segments(worker, i, rod, step);
@@ -231,8 +180,8 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
-    for (const std::size_t stretch : worker.stretches)
-        state_.accounts.outflow[worker.early.front()] += string_.substeps.share(
+    for (const std::size_t stretch : worker.share->stretches)
+        state_.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
             model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);
     if (owns_head) string_.head.finish(state_.head, segments, rod, next, step);
     if (owns_bit) string_.bit.finish(state_.bit, segments, rod, next, step);
@@ -245,10 +194,10 @@ bool Leapfrog::keep_guard(Worker& worker, const Table<DirectorRow>& rod,
                           const DirectorStep& step) const {
     bool passes = true;
     // what the segments bear, not what their nodes feel in the mean
-    for (const std::size_t span : worker.early)
+    for (const std::size_t span : worker.share->early)
         director_segments(string_.model, rod, worker.segments, string_.spans[span],
                           step.last_drift);
-    for (std::size_t block = worker.begin; block < worker.end; ++block) {
+    for (std::size_t block = worker.share->begin; block < worker.share->end; ++block) {
         const GuardReading reading = guards_.read(rod, worker.segments, block);
         guards_.follow(worker.coarsest, reading, rod, worker.segments, block, step.time);
         if (guards_.stops(reading)) passes = false;

@@ -11,6 +11,7 @@
 #include "drillstrand/simulation.hpp"
 #include "integrators/guards.hpp"
 #include "integrators/time_error.hpp"
+#include "integrators/work_share.hpp"
 #include "numerics/barrier.hpp"
 #include "numerics/team.hpp"
 #include "rod/director_state.hpp"
@@ -34,25 +35,12 @@ class Leapfrog final : public Integrator {
     void restore(const SavedState& saved) override;
 
   private:
-    /// Neighbouring spans, and what they cost in a step: a fine stretch is in one of them.
-    struct SpanGroup {
-        std::size_t first_span;
-        std::size_t end_span;  ///< one past the last
-        double work;
-    };
-    static std::vector<SpanGroup> groups_of(const DirectorString& string);
-
     /// A thread's share of the work. Each thread keeps its own segments, the block before its first
     /// one included: computed twice rather than waited for.
     struct Worker {
-        std::size_t first_span = 0;
-        std::size_t end_span = 0;  ///< one past the last
-        std::size_t begin = 0;     ///< first block
-        std::size_t end = 0;       ///< one past the last block
+        const WorkShare* share = nullptr;
         Table<SegmentRow> segments;
-        std::vector<std::size_t> stretches;    ///< fine ones among its nodes
         std::vector<Substeps::Work> substeps;  ///< of each stretch of the string
-        std::vector<std::size_t> early;        ///< spans whose segments these stretches need
         CoarsestSegment coarsest;
     };
 
@@ -73,7 +61,6 @@ class Leapfrog final : public Integrator {
     [[nodiscard]] Course course_to(double end, double longest_step) const;
     void take(std::int64_t steps);
     void run(std::size_t thread, std::size_t threads);
-    void give_share(Worker& worker, std::size_t thread, std::size_t threads) const;
     void fill_segments(Worker& worker, std::size_t span, const Table<DirectorRow>& rod,
                        const DirectorStep& step);
     bool step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
@@ -90,14 +77,14 @@ class Leapfrog final : public Integrator {
     DirectorString string_;
     Guards guards_;
     TimeErrorControl time_error_;
-    double bound_;                   ///< cfl times the stability bound (s)
-    std::vector<SpanGroup> groups_;  ///< that one thread takes
+    double bound_;  ///< cfl times the stability bound (s)
 
     DirectorState state_;
 
     // workspace
     Table<DirectorRow> next_;
     Team team_;
+    std::vector<std::vector<WorkShare>> shares_;  ///< of teams of 1, 2, ... threads
     std::vector<Worker> workers_;
     Meeting meeting_;
 };
