@@ -158,6 +158,10 @@ TEST_F(Program, CheckTellsTheMeshOfEachComponentAndWhatItCouldNotSee) {
                              HasSubstr("bent by 1.15 deg"), HasSubstr("open hole, friction"),
                              HasSubstr("7 in each step from 2139.3 to 2167.1 m along the string"),
                              Not(HasSubstr("between nodes"))));
+    EXPECT_THAT(run({"run", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml", "-o", "field.h5",
+                     "--set", "run.duration=0.01", "--set", "output.interval=0.01"})
+                    .err,
+                HasSubstr("drillstrand: substeps: 7 in each step from 2139.3 to 2167.1 m"));
     EXPECT_THAT(run({"check", DRILLSTRAND_SOURCE_DIR "/cases/field_units.toml", "--set",
                      "run.local_steps=false"})
                     .out,
