@@ -3,28 +3,36 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <type_traits>
 
 #include "numerics/kernel.hpp"
 
 namespace drillstrand {
 
-struct Triple {
-    double x, y, z;
+template <class Real>
+struct TripleOf {
+    Real x, y, z;
 };
+using Triple = TripleOf<double>;
 
-DRILLSTRAND_INLINE double dot(const Triple& a, const Triple& b) {
+template <class Real>
+DRILLSTRAND_INLINE Real dot(const TripleOf<Real>& a, const TripleOf<Real>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-DRILLSTRAND_INLINE Triple cross(const Triple& a, const Triple& b) {
+template <class Real>
+DRILLSTRAND_INLINE TripleOf<Real> cross(const TripleOf<Real>& a, const TripleOf<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-DRILLSTRAND_INLINE Triple combine(double a, const Triple& u, double b, const Triple& v) {
+template <class Real>
+DRILLSTRAND_INLINE TripleOf<Real> combine(std::type_identity_t<Real> a, const TripleOf<Real>& u,
+                                          std::type_identity_t<Real> b, const TripleOf<Real>& v) {
     return {a * u.x + b * v.x, a * u.y + b * v.y, a * u.z + b * v.z};
 }
 
-DRILLSTRAND_INLINE Triple scaled(double a, const Triple& v) {
+template <class Real>
+DRILLSTRAND_INLINE TripleOf<Real> scaled(std::type_identity_t<Real> a, const TripleOf<Real>& v) {
     return {a * v.x, a * v.y, a * v.z};
 }
 
@@ -49,6 +57,10 @@ struct Triples {
         z[k] = v.z;
     }
 };
+
+DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
+    return {rows.x[k], rows.y[k], rows.z[k]};
+}
 
 /// Three rows to read, from one entry on.
 struct ConstTriples {

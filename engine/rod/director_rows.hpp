@@ -156,10 +156,6 @@ struct HeldLines {
     }
 };
 
-DRILLSTRAND_INLINE Triple at(const Triples& rows, std::size_t k) {
-    return {rows.x[k], rows.y[k], rows.z[k]};
-}
-
 /// Calls `use` with the damping and the own shape of a scene as constants.
 template <class Use>
 auto with_features(const SceneFeatures& features, const Use& use) {

@@ -9,55 +9,27 @@
 #include "drillstrand/step_bound.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/director.hpp"
+#include "rod/substep_polynomial.hpp"
+#include "rod/substep_rounds.hpp"
 
 namespace drillstrand {
 
-/// The stabilised polynomial phi of so many substeps: of a motion whose rate omega and the step T
-/// make kappa = (omega T)^2/4, a step sees the part phi(kappa) of its force,
-///
-///     2 kappa phi(kappa) = 1 - T_p(w - beta kappa) / T_p(w),   w = 1 + nu/p^2,   phi(0) = 1,
-///
-/// T_p Chebyshev's polynomial; kappa phi is between 0.1 and 0.9 from its first maximum to its
-/// reach, about 0.85 p^2.
-class SubstepPolynomial {
-  public:
-    explicit SubstepPolynomial(int substeps);
-
-    /// The fewest substeps that reach kappa.
-    static int substeps_for(double kappa);
-
-    [[nodiscard]] int substeps() const { return substeps_; }
-    /// Largest kappa.
-    [[nodiscard]] double reach() const { return (1 + w_) / beta_; }
-    /// - phi'(0)
-    [[nodiscard]] double slope() const;
-    /// Of the first substep: y = first_factor T^2 M^-1 f.
-    [[nodiscard]] double first_factor() const { return beta_ / (4 * w_); }
-    /// omega_m = 2 w T_m(w)/T_m+1(w) of the substeps m = 1 ... p - 1: y += (omega - 1) times the
-    /// last change + omega first_factor T^2 times the residual.
-    [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
-
-  private:
-    int substeps_;
-    double w_;
-    double beta_;
-    double value_;  ///< T_p(w)
-    std::vector<double> weights_;
-};
-
-/// The fine stretches of a string in the layout of the step loop.
-class Substeps {
+/// The fine stretches of a string in the layout of the step loop. Their rounds are reckoned in
+/// numbers of type Real.
+template <class Real>
+class SubstepsOf {
   public:
     /// What a step writes of one stretch before it reads it, and the polynomial of the last step:
     /// of each thread its own.
     struct Work {
         BlockTable lines;
+        SubstepRounds<Real> rounds;
         double step = 0;  ///< that the polynomial is for (s)
         SubstepPolynomial polynomial{1};
     };
 
-    Substeps() = default;
-    explicit Substeps(const Scene& scene);
+    SubstepsOf() = default;
+    explicit SubstepsOf(const Scene& scene);
 
     [[nodiscard]] std::size_t count() const { return constants_.size(); }
     [[nodiscard]] bool empty() const { return constants_.empty(); }
@@ -96,5 +68,9 @@ class Substeps {
     StepPlan plan_;
     std::vector<BlockTable> constants_;  ///< of each stretch
 };
+
+/// What runs use: half the time of double precision, and an error of some 1e-6 of what moves
+/// within a stretch.
+using Substeps = SubstepsOf<float>;
 
 }  // namespace drillstrand
