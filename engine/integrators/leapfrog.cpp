@@ -111,6 +111,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
     Worker& worker = workers_[thread];
     worker.share = &shares_[threads - 1][thread];
     worker.coarsest = state_.coarsest;
+    worker.accounts = state_.accounts;
     const Course course = state_.course;
     const std::int64_t steps_before = state_.statistics.steps;
     const double last_step = state_.clock.last_step;
@@ -132,6 +133,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
         step = {course.time(course.done + i + 1), dt, dt, dt};
     }
     meeting_.barrier.wait();
+    state_.accounts.take(worker.accounts, worker.share->first_span, worker.share->end_span);
 }
 
 /// The forces of a span's segments at the whole step, with the load at the bit behind the last.
@@ -170,9 +172,9 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
             fill_segments(worker, i, rod, step);
         const NodeStep done =
             director_nodes(model, rod, next, segments, state_.wall, span, step.kick, step.drift);
-        state_.accounts.outflow[i] += done.outflow;
-        state_.accounts.impacts[i] += done.impacts;
-        state_.accounts.slips[i] += done.slips;
+        worker.accounts.outflow[i] += done.outflow;
+        worker.accounts.impacts[i] += done.impacts;
+        worker.accounts.slips[i] += done.slips;
         if (done.leavers > 0) {
             model.surroundings.refresh_arcs(state_.wall, span, [&](std::size_t node) {
                 return rod.vector(DirectorRow::position, node);
@@ -181,7 +183,7 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         if (done.faults > 0) sound = false;
     }
     for (const std::size_t stretch : worker.share->stretches)
-        state_.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
+        worker.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
             model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);
     if (owns_head) string_.head.finish(state_.head, segments, rod, next, step);
     if (owns_bit) string_.bit.finish(state_.bit, segments, rod, next, step);

@@ -36,12 +36,14 @@ class Leapfrog final : public Integrator {
 
   private:
     /// A thread's share of the work. Each thread keeps its own segments, the block before its first
-    /// one included: computed twice rather than waited for.
-    struct Worker {
+    /// one included: computed twice rather than waited for. What it writes in a step shares no
+    /// cache line with what others write.
+    struct alignas(block_alignment) Worker {
         const WorkShare* share = nullptr;
         Table<SegmentRow> segments;
         std::vector<Substeps::Work> substeps;  ///< of each stretch of the string
         CoarsestSegment coarsest;
+        Accounts accounts;  ///< of its spans, while it runs
     };
 
     /// Where the threads meet.

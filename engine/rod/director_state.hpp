@@ -28,9 +28,10 @@ struct DirectorString {
 struct DirectorState {
     Table<DirectorRow> rod;
     Table<WallRow> wall;
-    HeadState head;
-    BitState bit;
-    Accounts accounts;  ///< per span
+    // written at each step, each by the thread that has the end: in cache lines of their own
+    alignas(block_alignment) HeadState head;
+    alignas(block_alignment) BitState bit;
+    alignas(block_alignment) Accounts accounts;  ///< per span
     EnergyOrigin origin;
     Clock clock;
     Course course;

@@ -288,8 +288,8 @@ double work(const StepPlan& plan, std::size_t nodes) {
 
 double FineStretch::work() const {
     // measured with contact and mud: what a node takes for its forces, and for each substep
-    constexpr double forces = 0.5;
-    constexpr double substep = 0.15;
+    constexpr double forces = 0.8;
+    constexpr double substep = 0.06;
     return static_cast<double>(end - first + 1) * (forces + substep * substeps);
 }
 

@@ -185,6 +185,15 @@ struct Accounts {
     explicit Accounts(std::size_t stretches)
         : outflow(stretches), impacts(stretches), slips(stretches) {}
 
+    /// Takes entries over from other accounts: `first` to the one before `end`.
+    void take(const Accounts& other, std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            outflow[i] = other.outflow[i];
+            impacts[i] = other.impacts[i];
+            slips[i] = other.slips[i];
+        }
+    }
+
     /// Whether impacts and slips are counts, that a record can hold.
     [[nodiscard]] bool are_counts() const {
         double sum = 0;
