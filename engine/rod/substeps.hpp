@@ -69,8 +69,7 @@ class SubstepsOf {
     std::vector<BlockTable> constants_;  ///< of each stretch
 };
 
-/// What runs use: half the time of double precision, and an error of some 1e-6 of what moves
-/// within a stretch.
+/// What runs use: half the time of double precision, for an error of 1e-7 of the forces.
 using Substeps = SubstepsOf<float>;
 
 }  // namespace drillstrand

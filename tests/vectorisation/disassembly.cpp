@@ -33,7 +33,7 @@ int entries_of(const std::string& instruction) {
 /// Counts one instruction, its operands behind blanks.
 void count(const std::string& text, VectorUse& use) {
     static const std::regex arithmetic(
-        "v?(?:add|sub|mul|div|sqrt|min|max|(fn?m(?:add|sub))\\d+)([ps])d");
+        "v?(?:add|sub|mul|div|sqrt|min|max|(fn?m(?:add|sub))\\d+)([ps])[sd]");
     const std::string instruction = text.substr(0, text.find(' '));
     std::smatch match;
     if (std::regex_match(instruction, match, arithmetic)) {

@@ -7,8 +7,8 @@
 
 namespace drillstrand::test {
 
-/// Arithmetic on doubles (add, subtract, multiply, divide, square root, fused multiply-add,
-/// minimum, maximum) in one version of a kernel.
+/// Arithmetic (add, subtract, multiply, divide, square root, fused multiply-add, minimum, maximum)
+/// in one version of a kernel. Entries are as many as doubles have room: two floats count as one.
 struct VectorUse {
     int packed_entries = 0;  ///< entries of all packed instructions: 2, 4 or 8 each
     int scalar_entries = 0;  ///< scalar instructions, one entry each

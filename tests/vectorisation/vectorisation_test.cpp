@@ -44,9 +44,10 @@ const std::vector<Kernel> kernels = {
     {"dormand_prince: stage_state", 8, 0.7},  // six scalar tails: its count is not a constant
     {"director_report: report_block", 8, loop_share},
     {"guards: read_guards"},
+    {"substep_rounds: take_rounds", 8, loop_share, 4},
     // the nodes of a stretch are any number: scalar tails
     {"substeps: gather_forces", 8, 0.6, 8},
-    {"substeps: take_substeps", 8, loop_share, 2},
+    {"substeps: answer_to_places", 8, loop_share, 2},
     {"substeps: gather_impulses", 8, 0.6},
     {"substeps: share_impulses", 8, 0.6, 2},
 };
