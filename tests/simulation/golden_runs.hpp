@@ -36,8 +36,8 @@ inline constexpr GoldenRun golden_runs[] = {
     {"well2_paper",           {3,   "d53d97e483f12f4e"}, {0.002, "b73bdd10ac321b59"}},
     {"well2_drilling_paper",  {3,   "660558224b79ea74"}, {0.002, "b73bdd10ac321b59"}},
     {"well3_paper",           {3,   "7a8bf1c5b0838987"}, {0.002, "ce102024fffcf010"}},
-    {"torque_drag",         {3,   "833a7b0344396c10"}, {0.002, "b5bb571286ef63cb"}},
-    {"field_units",         {0.05, "6176905ce7c0e53"}, {0.0001, "5f42f4bc3a941bef"}},
+    {"torque_drag",         {3,   "7f0a34c96fdae77e"}, {0.002, "b5bb571286ef63cb"}},
+    {"field_units",         {0.05, "95627279a04cd19e"}, {0.0001, "5f42f4bc3a941bef"}},
     {"buckling_heavy",      {1,   "18034a41a44ae606"}, {0.002, "5df6ce279330db8d"}},
     {"buckling_weightless", {1,   "69f7440f50bdd9b3"}, {0.002, "649bea5db9c93fe4"}},
 };
