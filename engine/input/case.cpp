@@ -28,6 +28,17 @@ void check_eccentric_masses(const Case& input, const StringInput& string) {
                              "run.integrator = \"leapfrog\"");
 }
 
+/// Throws InputError where the paper's rod is asked for ends that the leapfrog alone has.
+void check_ends(const Case& input, const toml::table& root) {
+    if (input.run.integrator == IntegratorKind::leapfrog) return;
+    const auto refuse = [&](const char* path) {
+        Value(*root.at_path(path).node(), path)
+            .fail("is for the leapfrog's rod; expected run.integrator = \"leapfrog\"");
+    };
+    if (input.head.drive) refuse("head.drive");
+    if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
+}
+
 /// Throws InputError where a run cannot start from equilibrium.
 void check_initial_equilibrium(const Case& input, const toml::table& root) {
     if (input.initial.state != InitialState::equilibrium || can_rest(input)) return;
@@ -88,6 +99,7 @@ Case read_case(const std::filesystem::path& path,
     result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
     check_eccentric_masses(result, string);
+    check_ends(result, document.root);
     result.warnings = implausible_numbers(document.root, result, string);
     result.path = path;
     result.files = files_of(document.root, path);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "input/case_sections.hpp"
@@ -10,8 +11,11 @@ namespace drillstrand {
 
 namespace {
 
-// Dimension of a damping coefficient of velocity, N s/m.
+// Dimension of a damping coefficient of velocity, N s/m, and of rotation, N m s.
 constexpr Dimension damping_coefficient{1, 0, -1};
+constexpr Dimension rotation_damping{1, 2, -1};
+constexpr Dimension moment_of_inertia{1, 2, 0};
+constexpr Dimension power{1, 2, -3};
 
 bool is_zero(const ScalarSchedule& schedule) {
     return std::all_of(schedule.values().begin(), schedule.values().end(),
@@ -27,6 +31,51 @@ void refuse_head_load(const Table& table, std::string_view key, std::string_view
     if (const std::optional<Value> value = table.find(key)) {
         value->fail(fmt::format("has no effect; expected it with head.motion = \"{}\"", motion));
     }
+}
+
+/// Fails where a key stands that only another choice of a word uses.
+void refuse_key(const Table& table, std::string_view key, std::string_view choice) {
+    if (const std::optional<Value> value = table.find(key))
+        value->fail(fmt::format("has no effect; expected it with {}", choice));
+}
+
+DriveCase read_drive(const Table& table) {
+    DriveCase drive;
+    drive.control = table.choice<DriveControl>("control", drive.control,
+                                               {{"stiff", DriveControl::stiff},
+                                                {"pi", DriveControl::pi},
+                                                {"tuned", DriveControl::tuned},
+                                                {"matched", DriveControl::matched}});
+    drive.inertia =
+        table.quantity("inertia", moment_of_inertia, drive.inertia, plausible::drive_inertia);
+    const auto belongs_to = [&](DriveControl control, std::string_view name,
+                                std::initializer_list<std::string_view> keys) {
+        if (drive.control == control) return true;
+        for (const std::string_view key : keys)
+            refuse_key(table, key, fmt::format("head.drive.control = \"{}\"", name));
+        return false;
+    };
+    if (belongs_to(DriveControl::pi, "pi", {"proportional", "integral"})) {
+        drive.proportional =
+            table.require("proportional", "a torque over a rate, such as \"2 kN m s\"")
+                .quantity(rotation_damping, plausible::proportional);
+        drive.integral =
+            table.quantity("integral", dimension::moment, drive.integral, plausible::load_or_none);
+    }
+    if (belongs_to(DriveControl::tuned, "tuned", {"impedance_factor", "frequency"})) {
+        drive.impedance_factor =
+            table.number("impedance_factor", drive.impedance_factor, plausible::factor);
+        drive.frequency = table.require("frequency", "a frequency to damp, such as \"0.2 Hz\"")
+                              .quantity(dimension::frequency, plausible::slow_rotation);
+    }
+    if (belongs_to(DriveControl::matched, "matched", {"filter"}))
+        drive.filter =
+            table.quantity("filter", dimension::time, drive.filter, plausible::duration_or_none);
+    drive.torque_limit = table.quantity("torque_limit", dimension::moment, drive.torque_limit,
+                                        plausible::largest_load);
+    drive.power_limit =
+        table.quantity("power_limit", power, drive.power_limit, plausible::largest_load);
+    return drive;
 }
 
 Eigen::Vector3d read_direction(const Value& value) {
@@ -69,8 +118,8 @@ FrictionCoefficients read_dynamic_friction(const std::optional<Value>& value,
 }
 
 HeadCase read_head(const Table& root) {
-    const Table table =
-        root.subtable("head", {"position", "direction", "motion", "force", "moment", "rotation"});
+    const Table table = root.subtable(
+        "head", {"position", "direction", "motion", "force", "moment", "rotation", "drive"});
     HeadCase head;
     if (const std::optional<Value> position = table.find("position")) {
         head.position = position->vector(dimension::length, plausible::coordinate);
@@ -86,15 +135,47 @@ HeadCase read_head(const Table& root) {
     if (head.motion == HeadMotion::driven) {
         if (!is_zero(head.force)) refuse_head_load(table, "force", "free");
         if (!is_zero(head.moment)) refuse_head_load(table, "moment", "free");
-    } else if (!is_zero(head.rotation)) {
-        refuse_head_load(table, "rotation", "driven");
+        if (table.find("drive"))
+            head.drive = read_drive(table.subtable(
+                "drive", {"control", "inertia", "proportional", "integral", "impedance_factor",
+                          "frequency", "filter", "torque_limit", "power_limit"}));
+    } else {
+        if (!is_zero(head.rotation)) refuse_head_load(table, "rotation", "driven");
+        refuse_head_load(table, "drive", "driven");
     }
     return head;
 }
 
+namespace {
+
+/// What the law of friction has in place of a torque that is prescribed.
+void read_bit_friction(const Table& table, BitCase& bit) {
+    constexpr std::string_view friction = "bit.law = \"stribeck\"";
+    if (bit.law == BitLaw::prescribed) {
+        for (const std::string_view key : {"static_torque", "dynamic_torque", "decay_speed"})
+            refuse_key(table, key, friction);
+        return;
+    }
+    for (const std::string_view key : {"torque", "friction", "smoothing_speed"})
+        refuse_key(table, key, "bit.law = \"prescribed\"");
+    const Value largest = table.require("static_torque", "a torque such as \"8 kN m\"");
+    bit.static_torque = largest.quantity(dimension::moment, plausible::load_or_none);
+    bit.dynamic_torque = table.quantity("dynamic_torque", dimension::moment, bit.static_torque,
+                                        plausible::load_or_none);
+    if (bit.dynamic_torque > bit.static_torque)
+        table.require("dynamic_torque", "")
+            .fail(fmt::format("is above bit.static_torque, {:g} N m; expected at most that",
+                              bit.static_torque));
+    bit.decay_speed =
+        table.quantity("decay_speed", dimension::frequency, bit.decay_speed, plausible::decay);
+}
+
+}  // namespace
+
 BitCase read_bit(const Table& root, const StringCase& string) {
     const Table table =
-        root.subtable("bit", {"weight", "torque", "friction", "smoothing_speed", "direction",
+        root.subtable("bit", {"law", "weight", "torque", "friction", "smoothing_speed", "direction",
+                              "static_torque", "dynamic_torque", "decay_speed", "inertia",
                               "contact_length", "force", "dead_moment", "moment"});
     table.refuse_both("torque", "friction");
 
@@ -108,6 +189,10 @@ BitCase read_bit(const Table& root, const StringCase& string) {
                 "needs the bit's radius; expected an outer_diameter in the last component");
         }
     }
+    bit.law = table.choice<BitLaw>(
+        "law", bit.law, {{"prescribed", BitLaw::prescribed}, {"stribeck", BitLaw::stribeck}});
+    read_bit_friction(table, bit);
+    bit.inertia = table.quantity("inertia", moment_of_inertia, bit.inertia, plausible::bit_inertia);
     // the rock pushes, it does not pull
     bit.weight = table.scalar_schedule("weight", dimension::force, plausible::load_or_none);
     bit.smoothing_speed =

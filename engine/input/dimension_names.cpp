@@ -38,6 +38,8 @@ constexpr std::array names{
     Name{{1, 0, -1}, "a damping", "N s/m", "N s/m, kg/s"},
     Name{{1, 1, -1}, "a damping of rotation per length", "N s", "N s, kg m/s"},
     Name{{1, 2, -1}, "a damping of rates of bending and twist", "N m s", "N m s, kg m2/s"},
+    Name{{1, 2, 0}, "a moment of inertia", "kg m2", "kg m2, lb ft2"},
+    Name{{1, 2, -3}, "a power", "W", "W, kW, hp"},
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
 };
 

@@ -182,6 +182,7 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
+    if (owns_bit) string_.bit.resist(state_.bit, rod, next, step);
     for (const std::size_t stretch : worker.share->stretches)
         worker.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
             model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);

@@ -215,8 +215,9 @@ bool is_twisted(const BitCase& bit) {
     const auto any_of = [](const auto& schedule, const auto& is) {
         return std::any_of(schedule.values().begin(), schedule.values().end(), is);
     };
-    return bit.friction.value_or(0) > 0 || any_of(bit.torque, is_any) ||
-           any_of(bit.moment, has_couple) || any_of(bit.dead_moment, has_couple);
+    return bit.law != BitLaw::prescribed || bit.friction.value_or(0) > 0 ||
+           any_of(bit.torque, is_any) || any_of(bit.moment, has_couple) ||
+           any_of(bit.dead_moment, has_couple);
 }
 
 /// A torque that follows a free end drives it to flutter, as slowly as its motion is heavy. The
@@ -328,6 +329,7 @@ Scene scene_of(const Case& input) {
                                : input.string,
                     input.mesh, lumping_of(input));
     scene.segments = static_cast<int>(scene.mesh.length.size());
+    scene.mesh.node.back().polar_inertia += input.bit.inertia / scene.mesh.cell.back();
     scene.features = features_of(input, scene.well, scene.mesh);
     scene.initial_strain = initial_strains(scene, input.initial);
     scene.initial_nodes = initial_nodes(scene, input.initial);

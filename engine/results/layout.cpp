@@ -154,6 +154,9 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::surface_torque>("/series/surface_torque", "N m",
                                    "couple about d3 of the drive on the head, positive where it "
                                    "drives a positive rotation"),
+        series<&R::drive_torque>("/series/drive_torque", "N m",
+                                 "torque of the top drive's motor, that which turns its own "
+                                 "inertia included; without a drive the surface torque"),
         series<&R::weight_on_bit>("/series/weight_on_bit", "N",
                                   "compressive force of the rock on the bit"),
         series<&R::bit_torque>("/series/bit_torque", "N m",

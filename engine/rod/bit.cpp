@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "rod/head.hpp"
@@ -12,14 +13,20 @@ using Eigen::Vector3d;
 
 Bit::Bit(const Scene& scene)
     : Bit(scene.bit, scene.mesh.node.back().outer_radius,
-          static_cast<std::size_t>(scene.segments)) {}
+          static_cast<std::size_t>(scene.segments)) {
+    inertia_ = scene.mesh.node.back().polar_inertia * scene.mesh.cell.back();
+}
 
 double Bit::full_torque(double time) const {
+    if (loads_.law == BitLaw::stribeck) return loads_.static_torque;
     if (!loads_.friction) return loads_.torque(time);
     return *loads_.friction * std::numbers::pi * radius_ / 4 * loads_.weight(time);
 }
 
 double Bit::torque(double opposed_rate, double time) const {
+    if (loads_.law == BitLaw::stribeck)
+        return opposed_rate == 0 ? 0.0
+                                 : std::copysign(friction(std::abs(opposed_rate)), opposed_rate);
     // sgn of the rotation, falling linearly to zero below the smoothing speed
     const double sense = loads_.smoothing_speed > 0
                              ? std::clamp(opposed_rate / loads_.smoothing_speed, -1.0, 1.0)
@@ -43,6 +50,11 @@ EndLoad Bit::load(const BitMotion& motion, double time) const {
     return {motion.frame * body.tail<3>(), motion.frame * body.head<3>()};
 }
 
+double Bit::friction(double speed) const {
+    const double part = loads_.decay_speed > 0 ? std::exp(-speed / loads_.decay_speed) : 0.0;
+    return loads_.dynamic_torque + part * (loads_.static_torque - loads_.dynamic_torque);
+}
+
 // ------------------------------------------------------------------ on directors
 
 void Bit::load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
@@ -50,7 +62,61 @@ void Bit::load(const BitState& bit, Table<SegmentRow>& segments, const Table<Dir
     const Vector3d t = rod.vector(DirectorRow::director, node_);
     BitMotion motion{{}, well_direction, opposed_rate};
     motion.frame << t, bit.d1, t.cross(bit.d1);
-    write_end_load(segments, static_cast<std::ptrdiff_t>(node_), load(motion, time), t);
+    EndLoad outside;
+    if (loads_.law == BitLaw::prescribed) {
+        outside = load(motion, time);
+    } else {
+        motion.opposed_rate = 0;  // what the law gives is the state's
+        outside = load(motion, time);
+        outside.couple -= bit.torque * t;
+    }
+    write_end_load(segments, static_cast<std::ptrdiff_t>(node_), outside, t);
+}
+
+/// Of s + mobility T(s) = free speed the largest solution: the left side is convex, and Newton's
+/// method from above comes down to it, or past 0 where there is none.
+double Bit::speed_left(double free_speed, double mobility) const {
+    double speed = free_speed;
+    constexpr int most_tries = 50;
+    for (int i = 0; i < most_tries && speed > 0; ++i) {
+        const double excess = speed + mobility * friction(speed) - free_speed;
+        const double falling = loads_.decay_speed > 0
+                                   ? (friction(speed) - loads_.dynamic_torque) / loads_.decay_speed
+                                   : 0.0;
+        const double slope = 1 - mobility * falling;
+        if (slope <= 0) return 0;
+        const double change = excess / slope;
+        speed -= change;
+        if (std::abs(change) <= 1e-14 * free_speed) break;
+    }
+    return std::max(speed, 0.0);
+}
+
+void Bit::resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+                 const DirectorStep& step) const {
+    if (loads_.law == BitLaw::prescribed) return;
+    const double mobility = step.kick / inertia_;
+    const double before = rod.row(DirectorRow::spin)[node_];
+    double& spin = next.row(DirectorRow::spin)[node_];
+    const double free = spin + mobility * bit.torque;
+    const double most = mobility * loads_.static_torque;
+    double left = 0;
+    if (bit.sticks == 0) {
+        // it slides on the way it went, as far as it goes that way
+        left = std::copysign(speed_left(std::max(std::copysign(1.0, before) * free, 0.0), mobility),
+                             before);
+    }
+    if (left == 0 && std::abs(free) > most)
+        left = std::copysign(speed_left(std::abs(free), mobility), free);
+    bit.sticks = left == 0 ? 1 : 0;
+    const double torque = (free - left) / mobility;
+    // of what changes here; the torque of the step before does its work in finish()
+    bit.work -= step.kick * (torque - bit.torque) * 0.5 * (before + left);
+    bit.torque = torque;
+    const Vector3d t = next.vector(DirectorRow::director, node_);
+    next.set(DirectorRow::material, node_,
+             followed(next.vector(DirectorRow::material, node_), t, t, step.drift * (left - spin)));
+    spin = left;
 }
 
 void Bit::finish(BitState& bit, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,

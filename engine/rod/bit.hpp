@@ -1,5 +1,6 @@
-/// The bit: weight, torque and the dead and follower loads of a case, on the rod and as work. Its
-/// own constants and its state (BitState, state/rows.hpp).
+/// The bit: weight, torque and the dead and follower loads of a case, on the rod and as work, and
+/// the law of the rock on it (engine/rod/README.md, "Bit and rock"). Its own constants and its
+/// state (BitState, state/rows.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,11 +31,13 @@ class Bit {
         : node_(node), radius_(radius), loads_(std::move(loads)) {}
 
     [[nodiscard]] const BitCase& loads() const { return loads_; }
+    [[nodiscard]] BitLaw law() const { return loads_.law; }
 
     /// Torque that opposes rotation at a steady rate of full speed (N m): the schedule's, or
     /// mu_b (pi R / 4) times the weight (paper eq. 15).
     [[nodiscard]] double full_torque(double time) const;
-    /// The same at a rate, with its sense (N m): positive where it opposes a positive rate.
+    /// The same at a rate, with its sense (N m): positive where it opposes a positive rate. Of a
+    /// law with friction: at a steady rate, 0 at rest.
     [[nodiscard]] double torque(double opposed_rate, double time) const;
 
     /// Stress that the outside imposes at the bit, in body axes (paper eqs. 13-14).
@@ -47,19 +50,31 @@ class Bit {
     [[nodiscard]] BitState start(const Eigen::Vector3d& d1) const {
         BitState bit;
         bit.d1 = d1;
+        bit.sticks = loads_.law == BitLaw::prescribed ? 0 : 1;
         return bit;
     }
     /// The load as a ghost segment behind the last. `well_direction` as in BitMotion.
     void load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
               const Eigen::Vector3d& well_direction, double opposed_rate, double time) const;
+    /// The rock's answer to the bit's rotation in a step, by the law: the spin of `next` so far is
+    /// that which the torque of the step before leaves.
+    void resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+                const DirectorStep& step) const;
     /// The end of a step: the work at the bit, its frame, and the padding node beyond it, which
     /// goes along so that the ghost segment stays without strain.
     void finish(BitState& bit, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
                 Table<DirectorRow>& next, const DirectorStep& step) const;
 
   private:
+    /// Friction at a speed (rad/s, positive; N m), law stribeck.
+    [[nodiscard]] double friction(double speed) const;
+    /// The largest speed (rad/s) that friction leaves of a free one in a step of `mobility` = time
+    /// over inertia; 0 where it leaves none.
+    [[nodiscard]] double speed_left(double free_speed, double mobility) const;
+
     std::size_t node_;
-    double radius_;  ///< m
+    double radius_;       ///< m
+    double inertia_ = 0;  ///< of its node, which turns with it (kg m2)
     BitCase loads_;
 };
 

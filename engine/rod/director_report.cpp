@@ -308,9 +308,13 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
         at.impacts += done.impacts;
         at.slips += done.slips;
     }
+    BitState bit = state.bit;
+    if (last_drift > 0)
+        string.bit.resist(bit, state.rod, at.rod, {time, last_drift, 0.0, 0.5 * last_drift});
     for (std::size_t i = 0; i < works.size(); ++i)
         string.substeps.share(model, state.rod, at.rod, i, 0.5 * last_drift, 0.0, works[i]);
-    string.head.settle(at.rod, time);
+    string.head.settle(state.head, at.segments, state.rod.row(DirectorRow::spin)[0], at.rod, time,
+                       0.5 * last_drift);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, time));
     return at;
@@ -411,8 +415,12 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
         at.segments.row(SegmentRow::torque)[0] + at.segments.row(SegmentRow::viscous_torque)[0],
         time);
     record.weight_on_bit = string.bit.loads().weight(time);
-    record.bit_torque = string.bit.torque(
-        string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]), time);
+    record.bit_torque =
+        string.bit.law() == BitLaw::prescribed
+            ? string.bit.torque(string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]),
+                                time)
+            : state.bit.torque;
+    record.drive_torque = scene.head.drive ? state.head.drive_torque : record.surface_torque;
     record.step_size = state.clock.last_step;
     record.time_error = state.time_error.latest;
 

@@ -39,7 +39,7 @@ DirectorState initial_state(const DirectorString& string) {
     }
     std::copy(initial.twist.begin(), initial.twist.end(), state.rod.row(DirectorRow::last_twist));
     state.head = string.head.start();
-    string.head.settle(state.rod, 0);
+    string.head.settle(state.head, Table<SegmentRow>(nodes), 0, state.rod, 0, 0);
 
     const std::vector<Eigen::Matrix3d> frame = material_frames(
         string, state.rod, state.rod.row(DirectorRow::last_twist), string.head.d1(state.head, 0));

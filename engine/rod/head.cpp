@@ -7,6 +7,14 @@ namespace drillstrand {
 
 using Eigen::Vector3d;
 
+namespace {
+
+double torque_on_head(const Table<SegmentRow>& segments) {
+    return segments.row(SegmentRow::torque)[0] + segments.row(SegmentRow::viscous_torque)[0];
+}
+
+}  // namespace
+
 Head::Head(const Scene& scene)
     : motion_(scene.head.motion),
       rotation_(scene.head.rotation),
@@ -15,7 +23,9 @@ Head::Head(const Scene& scene)
       start_{scene.head_frame, scene.head_position},
       polar_inertia_(scene.mesh.node.front().polar_inertia),
       cell_(scene.mesh.cell.front()),
-      weight_(cell_ * scene.weight.front() * scene.down) {}
+      weight_(cell_ * scene.weight.front() * scene.down) {
+    if (scene.head.drive) drive_.emplace(*scene.head.drive, scene);
+}
 
 double Head::driven_rate(double time) const {
     return is_driven() ? rotation_(time) : 0.0;
@@ -67,11 +77,12 @@ void Head::finish(HeadState& head, const Table<SegmentRow>& segments, const Tabl
             followed(head.d1, t, next.vector(DirectorRow::director, 0), step.drift * next_spin);
         return;
     }
-    const double rate =
-        step.drift > 0
-            ? (rotation_.integral(step.time + step.drift) - rotation_.integral(step.time)) /
-                  step.drift
-            : rotation_(step.time);
+    const double turn = rotation_.integral(step.time + step.drift) - rotation_.integral(step.time);
+    const double rate = drive_           ? drive_->advance(head, spin,
+                                                           {rotation_(step.time), turn,
+                                                            torque_on_head(segments), step.kick, step.drift})
+                        : step.drift > 0 ? turn / step.drift
+                                         : rotation_(step.time);
     next.set(DirectorRow::position, 0, rod.vector(DirectorRow::position, 0));
     next.set(DirectorRow::velocity, 0, Vector3d::Zero());
     next.set(DirectorRow::director, 0, t);
@@ -81,16 +92,23 @@ void Head::finish(HeadState& head, const Table<SegmentRow>& segments, const Tabl
     head.work -= step.kick * segments.row(SegmentRow::torque)[0] * 0.5 * (spin + rate);
 }
 
-void Head::settle(Table<DirectorRow>& rod, double time) const {
+void Head::settle(const HeadState& head, const Table<SegmentRow>& segments, double rate,
+                  Table<DirectorRow>& rod, double time, double half_kick) const {
     if (!is_driven()) return;
     rod.set(DirectorRow::velocity, 0, Vector3d::Zero());
     rod.set(DirectorRow::angular_velocity, 0, Vector3d::Zero());
-    rod.row(DirectorRow::spin)[0] = rotation_(time);
+    double& spin = rod.row(DirectorRow::spin)[0];
+    spin = drive_ ? rate : rotation_(time);
+    if (drive_ && half_kick > 0) {
+        HeadState copy = head;
+        spin = drive_->advance(copy, rate,
+                               {rotation_(time), 0, torque_on_head(segments), half_kick, 0});
+    }
 }
 
 Vector3d Head::d1(const HeadState& head, double time) const {
     if (!is_driven()) return head.d1;
-    const double angle = rotation_.integral(time);
+    const double angle = drive_ ? head.angle : rotation_.integral(time);
     return std::cos(angle) * start_.frame.col(1) + std::sin(angle) * start_.frame.col(2);
 }
 

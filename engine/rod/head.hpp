@@ -1,13 +1,16 @@
-/// The head of the string: clamped in place and turned by a schedule, or free and loaded by dead
-/// forces. Its own constants, what it does to the rod, and its state (HeadState, state/rows.hpp).
+/// The head of the string: clamped in place and turned by a schedule or by a top drive, or free and
+/// loaded by dead forces. Its own constants, what it does to the rod, and its state (HeadState,
+/// state/rows.hpp).
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
 #include "model/pose.hpp"
 #include "rod/director.hpp"
+#include "rod/drive.hpp"
 #include "rod/end.hpp"
 #include "state/rows.hpp"
 
@@ -36,12 +39,13 @@ class Head {
 
     /// What acts on a free head, as a ghost segment before the first.
     void load(Table<SegmentRow>& segments, const Table<DirectorRow>& rod, double time) const;
-    /// The end of a step: a driven head keeps its place and turns as scheduled, a free head's d1
-    /// goes along; the work of what moves it.
+    /// The end of a step: a driven head keeps its place and turns as scheduled or as its drive
+    /// makes it, a free head's d1 goes along; the work of what moves it.
     void finish(HeadState& head, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
                 Table<DirectorRow>& next, const DirectorStep& step) const;
-    /// Velocities of a driven head at a whole step.
-    void settle(Table<DirectorRow>& rod, double time) const;
+    /// Velocities of a driven head at a whole step, half a kick (s) after it had a rate (rad/s).
+    void settle(const HeadState& head, const Table<SegmentRow>& segments, double rate,
+                Table<DirectorRow>& rod, double time, double half_kick) const;
     [[nodiscard]] Eigen::Vector3d d1(const HeadState& head, double time) const;
 
     // ---- on the strand, in body axes
@@ -61,6 +65,7 @@ class Head {
     ScalarSchedule rotation_;
     VectorSchedule force_;
     VectorSchedule moment_;
+    std::optional<Drive> drive_;
     Pose start_;
     double polar_inertia_;    ///< of the head's node, per length (kg m)
     double cell_;             ///< length of its cell (m)

@@ -316,6 +316,8 @@ StepPlan step_plan(const Scene& scene) {
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
         const double step_without_damping = plan.undamped(plan.bound.step);
         const auto tells_walls = [&](const FineStretch& stretch) {
+            // substeps hold the head that turns as scheduled, not one that turns by torques
+            if (scene.head.drive && stretch.first == 0) return false;
             for (std::size_t k = stretch.first; k <= stretch.end; ++k)
                 if (wall.is_beyond(k, step_without_damping)) return false;
             return true;

@@ -171,6 +171,7 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     const Eigen::Matrix3d frame = string.head.pose(state.head, time).frame;
     record.hook_load = string.head.hook_load(frame * on_head.tail<3>(), time);
     record.surface_torque = string.head.surface_torque(on_head[0], time);
+    record.drive_torque = record.surface_torque;
     record.weight_on_bit = string.bit.loads().weight(time);
     record.bit_torque =
         string.bit.torque(string.head.opposed_rate(time, record.bit_rotation_rate), time);

@@ -147,6 +147,9 @@ struct HeadState {
     Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector4d quaternion = Eigen::Vector4d::Zero();
+    double angle = 0;
+    double lag = 0;
+    double drive_torque = 0;
     double work = 0;
 };
 // clang-format off
@@ -155,6 +158,9 @@ inline constexpr auto field_list<HeadState> = std::to_array<Field<HeadState>>({
     {&HeadState::d1,         "d1",         "1", "leapfrog, free head: a direction that goes along with its section"},
     {&HeadState::position,   "position",   "m", "dormand-prince, free head: x"},
     {&HeadState::quaternion, "quaternion", "1", "dormand-prince, free head: frame, (x, y, z, w)"},
+    {&HeadState::angle,      "angle",      "rad", "drive: turn about d3 since the start"},
+    {&HeadState::lag,        "lag",        "rad", "drive: integral of set rate less rate, as its control counts it"},
+    {&HeadState::drive_torque, "drive_torque", "N m", "drive: of the motor, mean over the last step"},
     {&HeadState::work,       "work",       "J", "done by the outside on the rod at its head"},
 });
 // clang-format on
@@ -162,12 +168,16 @@ inline constexpr auto field_list<HeadState> = std::to_array<Field<HeadState>>({
 /// The bit (rod/bit.hpp).
 struct BitState {
     Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
+    double torque = 0;
+    double sticks = 0;
     double work = 0;
 };
 // clang-format off
 template <>
 inline constexpr auto field_list<BitState> = std::to_array<Field<BitState>>({
     {&BitState::d1,   "d1",   "1", "leapfrog: a direction that goes along with its section"},
+    {&BitState::torque, "torque", "N m", "bit law: of the rock against a positive rotation, in the last step"},
+    {&BitState::sticks, "sticks", "1", "bit law: 1 where the bit stands still on the rock, else 0"},
     {&BitState::work, "work", "J", "done by the outside on the rod at its bit"},
 });
 // clang-format on

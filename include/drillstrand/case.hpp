@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -147,16 +148,42 @@ struct MeshCase {
 
 enum class HeadMotion { driven, free };
 
+/// How a top drive makes the head follow its set rate.
+enum class DriveControl {
+    stiff,    ///< follows as far as its limits allow
+    pi,       ///< torque = proportional e + integral of e
+    tuned,    ///< PI that takes most from waves of one frequency
+    matched,  ///< lets waves through as if the string went on
+};
+
+struct DriveCase {
+    DriveControl control = DriveControl::stiff;
+    double inertia = 0;           ///< of everything that turns, at the head (kg m2)
+    double proportional = 0;      ///< N m s, control pi
+    double integral = 0;          ///< N m, control pi
+    double impedance_factor = 4;  ///< of the pipe's impedance to torsion, control tuned
+    double frequency = 0;         ///< rad/s, control tuned
+    double filter = 0;            ///< s, time over which the set rate comes back, control matched
+    double torque_limit = std::numeric_limits<double>::infinity();  ///< N m
+    double power_limit = std::numeric_limits<double>::infinity();   ///< W
+};
+
 struct HeadCase {
     std::optional<Eigen::Vector3d> position;   ///< m, north-east-down; unset: start of the well
     std::optional<Eigen::Vector3d> direction;  ///< unit d3; unset: the well's tangent, or down
     HeadMotion motion = HeadMotion::driven;
-    VectorSchedule force;     ///< N, space frame, motion free
-    VectorSchedule moment;    ///< N m, space frame, motion free
-    ScalarSchedule rotation;  ///< rad/s about d3, motion driven
+    VectorSchedule force;            ///< N, space frame, motion free
+    VectorSchedule moment;           ///< N m, space frame, motion free
+    ScalarSchedule rotation;         ///< rad/s about d3, motion driven
+    std::optional<DriveCase> drive;  ///< motion driven; unset: the head turns just as scheduled
 };
 
 enum class BitDirection { well, follower };
+
+enum class BitLaw {
+    prescribed,  ///< torque as scheduled, against the head's rotation
+    stribeck,    ///< friction that falls with the bit's own speed; sticks
+};
 
 struct BitCase {
     ScalarSchedule weight;           ///< N, compressive
@@ -164,6 +191,11 @@ struct BitCase {
     std::optional<double> friction;  ///< torque = friction * pi R / 4 * weight instead
     double smoothing_speed = 0;      ///< rad/s below which the torque falls linearly to zero
     BitDirection direction = BitDirection::follower;
+    BitLaw law = BitLaw::prescribed;
+    double static_torque = 0;    ///< N m, largest while the bit sticks, law stribeck
+    double dynamic_torque = 0;   ///< N m, at high speed
+    double decay_speed = 0;      ///< rad/s over which the one falls to the other; 0: at once
+    double inertia = 0;          ///< of the bit itself about its axis (kg m2)
     double contact_length = 0;   ///< of wall that the bit touches besides its node's own cell (m)
     VectorSchedule force;        ///< dead load, space frame (N)
     VectorSchedule dead_moment;  ///< dead couple, space frame (N m)

@@ -48,6 +48,7 @@ struct SeriesRecord {
     double bit_rotation_rate = 0;                             ///< rad/s about d3
     double hook_load = 0;       ///< N, force along -d3 that holds the head
     double surface_torque = 0;  ///< N m, couple about d3 of the drive on the head
+    double drive_torque = 0;    ///< N m, of the drive's motor, what turns its inertia included
     double weight_on_bit = 0;   ///< N, compressive force of the rock on the bit
     double bit_torque = 0;      ///< N m, of the rock against the rotation of the bit
     EnergyAccount energy;

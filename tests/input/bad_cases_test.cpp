@@ -371,6 +371,52 @@ TEST(BadCases, EccentricMassesTurnWithTheLeapfrogsRod) {
     });
 }
 
+TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {
+    const std::string torque = "torque = \"10 kN m\"";
+    const auto law = [](const std::string& more) { return "law = \"stribeck\"" + more; };
+    const std::string rotation = "rotation = [[0, 0], [2, \"110 rpm\"]]";
+    const auto drive = [&](const std::string& keys) {
+        return rotation + "\n[head.drive]\n" + keys;
+    };
+    expect_messages({
+        {rotation, drive("proportional = 2000"),
+         "case.toml:33:16: head.drive.proportional has no effect; expected it with "
+         "head.drive.control = \"pi\""},
+        {rotation, drive("control = \"pi\""),
+         "case.toml:32:1: missing key \"head.drive.proportional\"; expected a torque over a rate, "
+         "such as \"2 kN m s\""},
+        {rotation, drive("control = \"tuned\""),
+         "case.toml:32:1: missing key \"head.drive.frequency\"; expected a frequency to damp, such "
+         "as \"0.2 Hz\""},
+        {rotation, drive("control = \"matched\"\nfrequency = 1"),
+         "case.toml:34:13: head.drive.frequency has no effect; expected it with "
+         "head.drive.control = \"tuned\""},
+        {rotation, drive("torque_limit = \"0 kN m\""),
+         "case.toml:33:16: head.drive.torque_limit is \"0 kN m\"; expected 1e-9 to 1e12 N m"},
+        {rotation, drive("power_limit = \"900 kN\""),
+         "case.toml:33:15: head.drive.power_limit: kN is a force; expected a power such as W, kW, "
+         "hp"},
+        {rotation, "motion = \"free\"\n[head.drive]\ncontrol = \"stiff\"",
+         "case.toml:32:1: head.drive has no effect; expected it with head.motion = \"driven\""},
+        {torque, law(""),
+         "case.toml:33:1: missing key \"bit.static_torque\"; expected a torque such as \"8 kN m\""},
+        {torque, law("\nstatic_torque = 5000\ndynamic_torque = 6000"),
+         "case.toml:37:18: bit.dynamic_torque is above bit.static_torque, 5000 N m; expected at "
+         "most that"},
+        {torque, torque + "\nstatic_torque = 5000",
+         "case.toml:36:17: bit.static_torque has no effect; expected it with bit.law = "
+         "\"stribeck\""},
+        {torque, torque + "\n" + law("\nstatic_torque = 5000"),
+         "case.toml:35:10: bit.torque has no effect; expected it with bit.law = \"prescribed\""},
+        {"[run]", "[head.drive]\n[run]\nintegrator = \"dormand-prince\"",
+         "case.toml:37:1: head.drive is for the leapfrog's rod; expected run.integrator = "
+         "\"leapfrog\""},
+        {torque + "\n\n[run]", law("\nstatic_torque = 1\n[run]\nintegrator = \"dormand-prince\""),
+         "case.toml:35:7: bit.law is for the leapfrog's rod; expected run.integrator = "
+         "\"leapfrog\""},
+    });
+}
+
 TEST(BadCases, MeshesThatFollowTheStringHaveTheirOwnKeys) {
     expect_messages({
         {"segments = 50", "segments = 50\nelement_length = 7",

@@ -162,6 +162,42 @@ linear_density = 20
 youngs_modulus = 2e11
 [mesh]
 segments = 5
+[head.drive]
+control = "pi"
+inertia = 2000
+proportional = 1000
+integral = 100
+torque_limit = 4e4
+power_limit = 1e6
+[bit]
+law = "stribeck"
+static_torque = 8000
+dynamic_torque = 6000
+decay_speed = 1
+inertia = 1
+)",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+[head.drive]
+control = "tuned"
+impedance_factor = 4
+frequency = 1
+)",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+[head.drive]
+control = "matched"
+filter = 2
 )"};
 
 std::map<std::string, KeyNote> notes_of_readers() {

@@ -122,6 +122,10 @@ std::string why_not_golden() {
 
 class ReproducibleRun : public testing::TestWithParam<std::tuple<IntegratorKind, GoldenRun>> {
   protected:
+    void SetUp() override {
+        if (golden().duration == 0) GTEST_SKIP() << "not a case of this integrator";
+    }
+
     static IntegratorKind integrator() { return std::get<0>(GetParam()); }
 
     static auto golden() {

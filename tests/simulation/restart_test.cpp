@@ -75,6 +75,15 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
     if (scenario.name == "PapersLawDamped") input.contact.law = FrictionLaw::paper;
     if (scenario.name == "Bouncing") input.contact.restitution = 0.8;
     input.run.integrator = kind;
+    if (scenario.name == "SlippingBit" && kind == IntegratorKind::leapfrog) {
+        input.bit.law = BitLaw::stribeck;
+        input.bit.static_torque = 300;
+        input.bit.dynamic_torque = 100;
+        input.bit.decay_speed = 1;
+        input.bit.inertia = 2;
+        input.head.drive = DriveCase{
+            .control = DriveControl::tuned, .inertia = 20, .frequency = 3, .torque_limit = 2000};
+    }
     return input;
 }
 
@@ -82,6 +91,7 @@ const std::vector<Scenario> scenarios = {
     {"Drilling", pipe_in_well("")},
     {"PapersLawDamped", pipe_in_well("[damping]\ninternal = 1\nexternal = 2\nkelvin_voigt = 1e-5\n"
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
+    {"SlippingBit", pipe_in_well("")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(
         [[string.component]]

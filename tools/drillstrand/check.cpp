@@ -223,6 +223,20 @@ void print_contact(const Scene& scene) {
              : "springs stay in the contact");
 }
 
+std::string drive_text(const DriveCase& drive) {
+    const char* control = drive.control == DriveControl::pi        ? "PI control"
+                          : drive.control == DriveControl::tuned   ? "tuned control"
+                          : drive.control == DriveControl::matched ? "matched to the pipe"
+                                                                   : "stiff";
+    std::string text = fmt::format("{}, {:.4g} kg m2", control, drive.inertia);
+    if (std::isfinite(drive.torque_limit))
+        text += fmt::format(", at most {:.4g} kN m",
+                            drive.torque_limit / unit_factor("kN m", dimension::moment));
+    if (std::isfinite(drive.power_limit))
+        text += fmt::format(", at most {:.4g} kW", 1e-3 * drive.power_limit);
+    return text;
+}
+
 void print_loads(const Scene& scene) {
     fmt::print("Loads and motion\n");
     if (scene.head.motion == HeadMotion::driven) {
@@ -233,11 +247,17 @@ void print_loads(const Scene& scene) {
         line("head", fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
                                  largest(scene.head.force), largest(scene.head.moment)));
     }
+    if (scene.head.drive) line("drive", drive_text(*scene.head.drive));
     const BitCase& bit = scene.bit;
     if (largest(bit.weight) > 0)
         line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
                                        bit.direction == BitDirection::well ? "well" : "string"));
-    if (bit.friction)
+    if (bit.law == BitLaw::stribeck)
+        line("bit torque",
+             fmt::format("friction, {:.4g} kN m at rest, {:.4g} kN m at speed",
+                         bit.static_torque / unit_factor("kN m", dimension::moment),
+                         bit.dynamic_torque / unit_factor("kN m", dimension::moment)));
+    else if (bit.friction)
         line("bit torque",
              fmt::format("friction {:.3g} times pi R/4 times the weight", *bit.friction));
     else if (largest(bit.torque) > 0)
