@@ -71,10 +71,10 @@ DriveCase read_drive(const Table& table) {
     if (belongs_to(DriveControl::matched, "matched", {"filter"}))
         drive.filter =
             table.quantity("filter", dimension::time, drive.filter, plausible::duration_or_none);
-    drive.torque_limit = table.quantity("torque_limit", dimension::moment, drive.torque_limit,
-                                        plausible::largest_load);
-    drive.power_limit =
-        table.quantity("power_limit", power, drive.power_limit, plausible::largest_load);
+    if (const std::optional<Value> limit = table.find("torque_limit"))
+        drive.torque_limit = limit->quantity(dimension::moment, plausible::largest_load);
+    if (const std::optional<Value> limit = table.find("power_limit"))
+        drive.power_limit = limit->quantity(power, plausible::largest_load);
     return drive;
 }
 
@@ -160,12 +160,13 @@ void read_bit_friction(const Table& table, BitCase& bit) {
         refuse_key(table, key, "bit.law = \"prescribed\"");
     const Value largest = table.require("static_torque", "a torque such as \"8 kN m\"");
     bit.static_torque = largest.quantity(dimension::moment, plausible::load_or_none);
-    bit.dynamic_torque = table.quantity("dynamic_torque", dimension::moment, bit.static_torque,
-                                        plausible::load_or_none);
-    if (bit.dynamic_torque > bit.static_torque)
-        table.require("dynamic_torque", "")
-            .fail(fmt::format("is above bit.static_torque, {:g} N m; expected at most that",
-                              bit.static_torque));
+    bit.dynamic_torque = bit.static_torque;
+    if (const std::optional<Value> moving = table.find("dynamic_torque")) {
+        bit.dynamic_torque = moving->quantity(dimension::moment, plausible::load_or_none);
+        if (bit.dynamic_torque > bit.static_torque)
+            moving->fail(fmt::format("is above bit.static_torque, {:g} N m; expected at most that",
+                                     bit.static_torque));
+    }
     bit.decay_speed =
         table.quantity("decay_speed", dimension::frequency, bit.decay_speed, plausible::decay);
 }

@@ -15,6 +15,7 @@ Bit::Bit(const Scene& scene)
     : Bit(scene.bit, scene.mesh.node.back().outer_radius,
           static_cast<std::size_t>(scene.segments)) {
     inertia_ = scene.mesh.node.back().polar_inertia * scene.mesh.cell.back();
+    material_turns_ = scene.features.curved;
 }
 
 double Bit::full_torque(double time) const {
@@ -113,9 +114,12 @@ void Bit::resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow
     // of what changes here; the torque of the step before does its work in finish()
     bit.work -= step.kick * (torque - bit.torque) * 0.5 * (before + left);
     bit.torque = torque;
-    const Vector3d t = next.vector(DirectorRow::director, node_);
-    next.set(DirectorRow::material, node_,
-             followed(next.vector(DirectorRow::material, node_), t, t, step.drift * (left - spin)));
+    if (material_turns_) {
+        const Vector3d t = next.vector(DirectorRow::director, node_);
+        next.set(
+            DirectorRow::material, node_,
+            followed(next.vector(DirectorRow::material, node_), t, t, step.drift * (left - spin)));
+    }
     spin = left;
 }
 

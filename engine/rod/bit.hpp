@@ -73,8 +73,9 @@ class Bit {
     [[nodiscard]] double speed_left(double free_speed, double mobility) const;
 
     std::size_t node_;
-    double radius_;       ///< m
-    double inertia_ = 0;  ///< of its node, which turns with it (kg m2)
+    double radius_;                ///< m
+    double inertia_ = 0;           ///< of its node, which turns with it (kg m2)
+    bool material_turns_ = false;  ///< rows of the string hold a direction that turns with it
     BitCase loads_;
 };
 
