@@ -303,6 +303,45 @@ double error_of_recorded_spins(const Case& input) {
     return worst / most;
 }
 
+TEST(LocalSteps, LetABitStickAndSlipAsOneSmallStepDoes) {
+    Case input = case_from("gravity = 0\n" + pipe(300) + graded_mesh + R"(
+        [head]
+        rotation = 2
+        [bit]
+        law = "stribeck"
+        static_torque = 2000
+        dynamic_torque = 1000
+        decay_speed = 1
+        inertia = 5
+        [damping]
+        kelvin_voigt = 1e-5
+        [run]
+        duration = 6
+        [output]
+        interval = 0.01
+        )");
+    struct Turned {
+        double angle = 0, still = 0, least = 0;
+    };
+    const auto turn = [&](bool local_steps) {
+        input.run.local_steps = local_steps;
+        EXPECT_NE(step_plan(build_scene(input)).stretches.empty(), local_steps);
+        Turned sum;
+        for (const SeriesRecord& record : run(input).series) {
+            sum.angle += 0.01 * record.bit_rotation_rate;
+            sum.still += std::abs(record.bit_rotation_rate) < 1e-2 ? 0.01 : 0.0;
+            sum.least = std::min(sum.least, record.bit_rotation_rate);
+        }
+        return sum;
+    };
+    const Turned local = turn(true);
+    const Turned single = turn(false);
+    EXPECT_NEAR(local.angle, single.angle, 0.02 * single.angle);
+    EXPECT_GT(single.still, 1);
+    EXPECT_NEAR(local.still, single.still, 0.05 * single.still);
+    EXPECT_GT(local.least, -0.02);
+}
+
 TEST(LocalSteps, AreRecordedAsTheMeanOfTheHalfStepsBeforeAndAfter) {
     // implicit: half a kick is half of a whole one to first order in the step
     EXPECT_LT(error_of_recorded_spins(assembly(drilling)), 0.03);
