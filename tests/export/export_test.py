@@ -32,6 +32,7 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
     "bit_rotation_rate[rad/s]": ("bit_rotation_rate", None),
     "hook_load[N]": ("hook_load", None),
     "surface_torque[N m]": ("surface_torque", None),
+    "drive_torque[N m]": ("drive_torque", None),
     "weight_on_bit[N]": ("weight_on_bit", None),
     "bit_torque[N m]": ("bit_torque", None),
     "kinetic_energy[J]": ("kinetic_energy", None),

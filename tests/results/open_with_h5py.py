@@ -40,6 +40,7 @@ SHAPES = {
     "/series/bit_rotation_rate": (4,),
     "/series/hook_load": (4,),
     "/series/surface_torque": (4,),
+    "/series/drive_torque": (4,),
     "/series/weight_on_bit": (4,),
     "/series/bit_torque": (4,),
     "/series/kinetic_energy": (4,),
