@@ -61,7 +61,7 @@ constexpr std::array units{
     Unit{"tf", 1000 * standard_gravity, dimension::force},
     Unit{"J", 1, dimension::moment, true},
     Unit{"W", 1, power, true},
-    Unit{"hp", 550 * foot * pound_force, power},
+    Unit{"hp", 550 * foot* pound_force, power},
     Unit{"Pa", 1, dimension::pressure, true},
     Unit{"bar", 1e5, dimension::pressure, true},
     Unit{"psi", pound_force / (inch * inch), dimension::pressure},

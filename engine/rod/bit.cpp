@@ -61,16 +61,11 @@ double Bit::friction(double speed) const {
 void Bit::load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
                const Vector3d& well_direction, double opposed_rate, double time) const {
     const Vector3d t = rod.vector(DirectorRow::director, node_);
-    BitMotion motion{{}, well_direction, opposed_rate};
+    // what a law of the bit's own rate gives is the state's
+    BitMotion motion{{}, well_direction, law() == BitLaw::prescribed ? opposed_rate : 0.0};
     motion.frame << t, bit.d1, t.cross(bit.d1);
-    EndLoad outside;
-    if (loads_.law == BitLaw::prescribed) {
-        outside = load(motion, time);
-    } else {
-        motion.opposed_rate = 0;  // what the law gives is the state's
-        outside = load(motion, time);
-        outside.couple -= bit.torque * t;
-    }
+    EndLoad outside = load(motion, time);
+    outside.couple -= bit.torque * t;
     write_end_load(segments, static_cast<std::ptrdiff_t>(node_), outside, t);
 }
 
