@@ -205,7 +205,9 @@ DRILLSTRAND_KERNEL void answer_to_places(const BlockTable& constant_table, std::
 }
 
 /// The impulses of surroundings and damping on the nodes, as the step took them for nodes that move
-/// by themselves, less those of the wall as it held them before.
+/// by themselves, less those of the wall as it held them before. Where Kelvin-Voigt damping sees
+/// how light nodes turn, those of gyroscopic couples, too.
+template <bool viscous>
 DRILLSTRAND_KERNEL void gather_impulses(const Table<DirectorRow>& rod,
                                         const Table<DirectorRow>& next,
                                         const BlockTable& constant_table, std::size_t first_node,
@@ -220,9 +222,16 @@ DRILLSTRAND_KERNEL void gather_impulses(const Table<DirectorRow>& rod,
                                    combine(1.0, out.v[k], -1.0, in.v[k]));
         const Triple of_rod = combine(kick, at(work.force, k), kick, at(work.force_change, k));
         const Triple t = at(work.director, k);
-        const double torque = dot(at(work.couple, k), t) + dot(at(work.couple_change, k), t);
+        const Triple by_rod = combine(kick, at(work.couple, k), kick, at(work.couple_change, k));
+        const double torque = c.polar[k] * (out.s[k] - in.s[k]) - dot(by_rod, t);
         work.force.set(k, combine(1.0, given, -1.0, of_rod));
-        work.couple.set(k, scaled(c.polar[k] * (out.s[k] - in.s[k]) - kick * torque, t));
+        if constexpr (viscous) {
+            const Triple turned = combine(c.transverse[k], out.w[k], -c.transverse[k], in.w[k]);
+            work.couple.set(
+                k, combine(1.0, without(combine(1.0, turned, -1.0, by_rod), t), torque, t));
+        } else {
+            work.couple.set(k, scaled(torque, t));
+        }
     };
 #pragma omp simd
     for (std::size_t k = 0; k < nodes; ++k)
@@ -258,8 +267,8 @@ DRILLSTRAND_KERNEL double share_impulses(const Table<DirectorRow>& rod, Table<Di
         out.t.set(k, turned_director(t, w, drift));
         if constexpr (curved) out.d1.set(k, turned_material(in.d1[k], t, at(out.t, k), drift * s));
         const Triple given = combine(1.0, at(work.force, k), kick, at(work.held, k));
-        const double spinning = dot(at(work.couple, k), t) + kick * work.held_torque[k];
-        outflow[k] = -0.5 * (dot(given, faster) + spinning * spun);
+        const Triple couple = combine(1.0, at(work.couple, k), kick * work.held_torque[k], t);
+        outflow[k] = -0.5 * (dot(given, faster) + dot(couple, turned));
     };
 #pragma omp simd
     for (std::size_t k = 0; k < nodes; ++k)
@@ -351,8 +360,10 @@ double SubstepsOf<Real>::share(const DirectorModel& model, const Table<DirectorR
                                Work& work) const {
     if (work.polynomial.substeps() == 1) return 0;
     const BlockTable& its = constants_[i];
-    at_level<gather_impulses>(model.level)(rod, next, its, first_node(i), nodes(i), kick,
-                                           work.lines);
+    const auto gather = model.features.damping == Damping::kelvin_voigt
+                            ? at_level<gather_impulses<true>>(model.level)
+                            : at_level<gather_impulses<false>>(model.level);
+    gather(rod, next, its, first_node(i), nodes(i), kick, work.lines);
     take(model, i, work);
     const auto kernel = model.features.curved ? at_level<share_impulses<true>>(model.level)
                                               : at_level<share_impulses<false>>(model.level);

@@ -48,7 +48,7 @@ const std::vector<Kernel> kernels = {
     // the nodes of a stretch are any number: scalar tails
     {"substeps: gather_forces", 8, 0.6, 8},
     {"substeps: answer_to_places", 8, loop_share, 2},
-    {"substeps: gather_impulses", 8, 0.6},
+    {"substeps: gather_impulses", 8, 0.6, 2},
     {"substeps: share_impulses", 8, 0.6, 2},
 };
 
