@@ -44,6 +44,24 @@ constexpr const char* graded_mesh = R"(
 
 // ------------------------------------------------------------------ plan
 
+TEST(StepPlan, TakesNoMoreSubstepsThanSinglePrecisionBears) {
+    Case slivers = case_from(pipe(100) + R"(
+        [mesh]
+        element_length = 2.5
+        [[mesh.refine]]
+        from = 0
+        to = 0.2
+        measured_from = "bit"
+        element_length = 0.004
+        [run]
+        duration = 1
+        )");
+    const StepPlan plan = step_plan(build_scene(slivers));
+    ASSERT_FALSE(plan.stretches.empty());
+    for (const FineStretch& stretch : plan.stretches)
+        EXPECT_LE(stretch.substeps, 48);
+}
+
 TEST(StepPlan, HasNoStretchesWhereSegmentsAreAlikeOrTheCaseAsksForNone) {
     const std::string run = "[run]\nduration = 1\n";
     Case alike = case_from(pipe(100) + "[mesh]\nsegments = 40\n" + run);
