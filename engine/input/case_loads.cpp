@@ -15,7 +15,6 @@ namespace {
 constexpr Dimension damping_coefficient{1, 0, -1};
 constexpr Dimension rotation_damping{1, 2, -1};
 constexpr Dimension moment_of_inertia{1, 2, 0};
-constexpr Dimension power{1, 2, -3};
 
 bool is_zero(const ScalarSchedule& schedule) {
     return std::all_of(schedule.values().begin(), schedule.values().end(),
@@ -27,16 +26,14 @@ bool is_zero(const VectorSchedule& schedule) {
                        [](const Eigen::Vector3d& value) { return value.isZero(0); });
 }
 
-void refuse_head_load(const Table& table, std::string_view key, std::string_view motion) {
-    if (const std::optional<Value> value = table.find(key)) {
-        value->fail(fmt::format("has no effect; expected it with head.motion = \"{}\"", motion));
-    }
-}
-
 /// Fails where a key stands that only another choice of a word uses.
 void refuse_key(const Table& table, std::string_view key, std::string_view choice) {
     if (const std::optional<Value> value = table.find(key))
         value->fail(fmt::format("has no effect; expected it with {}", choice));
+}
+
+void refuse_head_load(const Table& table, std::string_view key, std::string_view motion) {
+    refuse_key(table, key, fmt::format("head.motion = \"{}\"", motion));
 }
 
 DriveCase read_drive(const Table& table) {
@@ -74,7 +71,7 @@ DriveCase read_drive(const Table& table) {
     if (const std::optional<Value> limit = table.find("torque_limit"))
         drive.torque_limit = limit->quantity(dimension::moment, plausible::largest_load);
     if (const std::optional<Value> limit = table.find("power_limit"))
-        drive.power_limit = limit->quantity(power, plausible::largest_load);
+        drive.power_limit = limit->quantity(dimension::power, plausible::largest_load);
     return drive;
 }
 
@@ -276,10 +273,8 @@ DampingCase read_damping(const Table& root) {
         "damping", {"internal", "internal_translation", "internal_rotation", "external",
                     "external_translation", "external_rotation", "kelvin_voigt"});
     constexpr Dimension newton_second{1, 1, -1};
-    constexpr Dimension newton_metre_second{1, 2, -1};
     DampingCase damping;
-    damping.internal =
-        read_damping_pair(table, "internal", damping_coefficient, newton_metre_second);
+    damping.internal = read_damping_pair(table, "internal", damping_coefficient, rotation_damping);
     damping.external = read_damping_pair(table, "external", dimension::viscosity, newton_second);
     damping.kelvin_voigt =
         table.quantity("kelvin_voigt", dimension::time, damping.kelvin_voigt, plausible::delay);

@@ -39,7 +39,7 @@ constexpr std::array names{
     Name{{1, 1, -1}, "a damping of rotation per length", "N s", "N s, kg m/s"},
     Name{{1, 2, -1}, "a damping of rates of bending and twist", "N m s", "N m s, kg m2/s"},
     Name{{1, 2, 0}, "a moment of inertia", "kg m2", "kg m2, lb ft2"},
-    Name{{1, 2, -3}, "a power", "W", "W, kW, hp"},
+    Name{dimension::power, "a power", "W", "W, kW, hp"},
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
 };
 

@@ -37,12 +37,12 @@ constexpr double survey_foot = 1200.0 / 3937;  // of the United States, until 20
 constexpr double pound = 0.45359237;
 constexpr double standard_gravity = 9.80665;
 constexpr double pound_force = pound * standard_gravity;
+constexpr double horsepower = 550 * foot * pound_force;
 constexpr double gallon = 0.003785411784;
 constexpr double turn = 2 * std::numbers::pi;
 
 constexpr Dimension mass{1, 0, 0};
 constexpr Dimension volume{0, 3, 0};
-constexpr Dimension power{1, 2, -3};
 
 constexpr std::array units{
     Unit{"m", 1, dimension::length, true},
@@ -60,8 +60,8 @@ constexpr std::array units{
     Unit{"kgf", standard_gravity, dimension::force},
     Unit{"tf", 1000 * standard_gravity, dimension::force},
     Unit{"J", 1, dimension::moment, true},
-    Unit{"W", 1, power, true},
-    Unit{"hp", 550 * foot* pound_force, power},
+    Unit{"W", 1, dimension::power, true},
+    Unit{"hp", horsepower, dimension::power},
     Unit{"Pa", 1, dimension::pressure, true},
     Unit{"bar", 1e5, dimension::pressure, true},
     Unit{"psi", pound_force / (inch * inch), dimension::pressure},

@@ -77,12 +77,7 @@ void Head::finish(HeadState& head, const Table<SegmentRow>& segments, const Tabl
             followed(head.d1, t, next.vector(DirectorRow::director, 0), step.drift * next_spin);
         return;
     }
-    const double turn = rotation_.integral(step.time + step.drift) - rotation_.integral(step.time);
-    const double rate = drive_           ? drive_->advance(head, spin,
-                                                           {rotation_(step.time), turn,
-                                                            torque_on_head(segments), step.kick, step.drift})
-                        : step.drift > 0 ? turn / step.drift
-                                         : rotation_(step.time);
+    const double rate = next_rate(head, segments, spin, step);
     next.set(DirectorRow::position, 0, rod.vector(DirectorRow::position, 0));
     next.set(DirectorRow::velocity, 0, Vector3d::Zero());
     next.set(DirectorRow::director, 0, t);
@@ -90,6 +85,15 @@ void Head::finish(HeadState& head, const Table<SegmentRow>& segments, const Tabl
     next.set(DirectorRow::material, 0, d1(head, step.time + step.drift));
     next.row(DirectorRow::spin)[0] = rate;
     head.work -= step.kick * segments.row(SegmentRow::torque)[0] * 0.5 * (spin + rate);
+}
+
+double Head::next_rate(HeadState& head, const Table<SegmentRow>& segments, double rate,
+                       const DirectorStep& step) const {
+    const double turn = rotation_.integral(step.time + step.drift) - rotation_.integral(step.time);
+    if (!drive_) return step.drift > 0 ? turn / step.drift : rotation_(step.time);
+    const DriveDemand demand{rotation_(step.time), turn, torque_on_head(segments), step.kick,
+                             step.drift};
+    return drive_->advance(head, rate, demand);
 }
 
 void Head::settle(const HeadState& head, const Table<SegmentRow>& segments, double rate,

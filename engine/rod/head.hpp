@@ -61,6 +61,10 @@ class Head {
     void hold(Table<StrandRow>& rate) const;
 
   private:
+    /// The rate of a driven head after a step.
+    double next_rate(HeadState& head, const Table<SegmentRow>& segments, double rate,
+                     const DirectorStep& step) const;
+
     HeadMotion motion_;
     ScalarSchedule rotation_;
     VectorSchedule force_;

@@ -7,7 +7,7 @@ namespace drillstrand {
 
 namespace {
 
-constexpr std::size_t pieces = round_pieces;
+constexpr std::size_t pieces = block_size;
 
 /// From the order of the string to that of the rounds.
 template <class Real>
@@ -47,17 +47,27 @@ DRILLSTRAND_INLINE void continue_behind(RoundBlock<Real>* first, std::size_t cou
 // ------------------------------------------------------------------ one node, one segment
 
 template <class Real>
+DRILLSTRAND_INLINE TripleOf<Real> at(const Real (*lines)[pieces], std::size_t j) {
+    return {lines[0][j], lines[1][j], lines[2][j]};
+}
+
+template <class Real>
 DRILLSTRAND_INLINE TripleOf<Real> at(const RoundBlock<Real>& block, std::size_t line,
                                      std::size_t j) {
-    return {block.line[line][j], block.line[line + 1][j], block.line[line + 2][j]};
+    return at(block.line + line, j);
+}
+
+template <class Real>
+DRILLSTRAND_INLINE void set(Real (*lines)[pieces], std::size_t j, const TripleOf<Real>& v) {
+    lines[0][j] = v.x;
+    lines[1][j] = v.y;
+    lines[2][j] = v.z;
 }
 
 template <class Real>
 DRILLSTRAND_INLINE void set(RoundBlock<Real>& block, std::size_t line, std::size_t j,
                             const TripleOf<Real>& v) {
-    block.line[line][j] = v.x;
-    block.line[line + 1][j] = v.y;
-    block.line[line + 2][j] = v.z;
+    set(block.line + line, j, v);
 }
 
 template <class Real>
@@ -130,18 +140,6 @@ struct LeftBehind {
     alignas(block_alignment) Real pull[3][pieces];
     alignas(block_alignment) Real couple[3][pieces];
 };
-
-template <class Real>
-DRILLSTRAND_INLINE TripleOf<Real> at(const Real (&rows)[3][pieces], std::size_t j) {
-    return {rows[0][j], rows[1][j], rows[2][j]};
-}
-
-template <class Real>
-DRILLSTRAND_INLINE void set(Real (&rows)[3][pieces], std::size_t j, const TripleOf<Real>& v) {
-    rows[0][j] = v.x;
-    rows[1][j] = v.y;
-    rows[2][j] = v.z;
-}
 
 /// What the segments before the first block leave to it.
 template <class Real>
@@ -234,8 +232,7 @@ DRILLSTRAND_KERNEL void take_rounds(const SubstepPolynomial& polynomial, double 
 }  // namespace
 
 template <class Real>
-SubstepRounds<Real>::SubstepRounds(const BlockTable& constants)
-    : blocks_(blocks_for(constants.blocks() * block_size) + 2) {
+SubstepRounds<Real>::SubstepRounds(const BlockTable& constants) : blocks_(constants.blocks() + 2) {
     const auto take = [&](std::size_t from, std::size_t line) {
         take_over(constants.row(from), &blocks_[1], count(), line);
     };

@@ -44,12 +44,9 @@ struct RoundLine {
     };
 };
 
-/// Entries of a block of rounds: so many pieces a stretch is cut into.
-inline constexpr std::size_t round_pieces = 16;
-
 template <class Real>
 struct RoundBlock {
-    alignas(block_alignment) Real line[RoundLine::count][round_pieces] = {};
+    alignas(block_alignment) Real line[RoundLine::count][block_size] = {};
 };
 
 /// What the nodes of a stretch go through in a step, in numbers of type Real.

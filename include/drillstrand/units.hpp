@@ -24,6 +24,7 @@ inline constexpr Dimension frequency{0, 0, -1};  ///< "Hz" and "rpm" convert to 
 inline constexpr Dimension acceleration{0, 1, -2};
 inline constexpr Dimension force{1, 1, -2};
 inline constexpr Dimension moment{1, 2, -2};
+inline constexpr Dimension power{1, 2, -3};
 inline constexpr Dimension pressure{1, -1, -2};  ///< also stiffness per length
 inline constexpr Dimension viscosity{1, -1, -1};
 inline constexpr Dimension density{1, -3, 0};

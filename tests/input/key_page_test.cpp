@@ -16,6 +16,15 @@
 namespace drillstrand {
 namespace {
 
+const std::string short_pipe = R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+)";
+
 /// Together these ask for every key.
 const std::vector<std::string> asking{R"(title = "Pipe in a well"
 gravity = 9.8
@@ -155,14 +164,7 @@ external_rotation = 1
 [torque_drag]
 depths = [100, 200]
 )",
-                                      R"([[string.component]]
-length = 10
-outer_diameter = 0.1
-linear_density = 20
-youngs_modulus = 2e11
-[mesh]
-segments = 5
-[head.drive]
+                                      short_pipe + R"([head.drive]
 control = "pi"
 inertia = 2000
 proportional = 1000
@@ -176,26 +178,12 @@ dynamic_torque = 6000
 decay_speed = 1
 inertia = 1
 )",
-                                      R"([[string.component]]
-length = 10
-outer_diameter = 0.1
-linear_density = 20
-youngs_modulus = 2e11
-[mesh]
-segments = 5
-[head.drive]
+                                      short_pipe + R"([head.drive]
 control = "tuned"
 impedance_factor = 4
 frequency = 1
 )",
-                                      R"([[string.component]]
-length = 10
-outer_diameter = 0.1
-linear_density = 20
-youngs_modulus = 2e11
-[mesh]
-segments = 5
-[head.drive]
+                                      short_pipe + R"([head.drive]
 control = "matched"
 filter = 2
 )"};

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "drillstrand/equilibrium.hpp"
 #include "support/run_case.hpp"
 
 namespace drillstrand {
@@ -184,6 +186,26 @@ TEST(StickSlip, EndsWithAMatchedDriveAndGoesOnWithAStiffOne) {
     EXPECT_EQ(least_rate("control = \"pi\"\ninertia = 2900\nproportional = 38e3\nintegral = 1e5"),
               0);
     EXPECT_NEAR(least_rate("control = \"matched\"\nfilter = 2"), 2 * pi, 0.05);
+}
+
+TEST(StickSlip, OfAStringThatDoesNotStickHasTheTorqueOfStatics) {
+    // friction of bit and wall at a steady rate, by Newton's method and by the run that settles
+    Case input = read_case(std::filesystem::path(DRILLSTRAND_SOURCE_DIR) / "cases" /
+                           "stick_slip_matched_drive.toml");
+    double torque = 0;
+    double bit = 0;
+    int count = 0;
+    for (const SeriesRecord& record : test::run(input).series) {
+        if (record.time <= 40) continue;
+        torque += record.surface_torque;
+        bit += record.bit_torque;
+        ++count;
+    }
+    EquilibriumOptions drilling;
+    drilling.motion = steady_motion(StringMotion::drilling, 2 * pi);
+    const Equilibrium statics = find_equilibrium(build_static_scene(input), drilling);
+    EXPECT_NEAR(torque / count, statics.surface_torque, 0.01 * statics.surface_torque);
+    EXPECT_NEAR(bit / count, 3500 * (1 + std::exp(-2.0)), 0.005 * 3500);
 }
 
 /// |r| of a drive for waves of a frequency (Hz) that come up a pipe so long that none comes twice.
