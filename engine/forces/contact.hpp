@@ -48,6 +48,8 @@ struct FrictionParameters {
     Tangential slide_inverse;  ///< 1 / dynamic coefficient; 0 in a direction without friction
     FrictionLaw law;
     double creep = 0;  ///< creep at which the friction of a rolling pipe saturates; 0: never
+    double inverse_speed2 =
+        0;  ///< 1 / v_S^2 of the fall from static to dynamic (s2/m2); 0: at once
 
     /// 1 where forces never leave Coulomb's cone, 0 for the paper's springs; no branch.
     [[nodiscard]] double cone() const { return static_cast<double>(law == FrictionLaw::coulomb); }
@@ -66,13 +68,23 @@ struct FrictionParameters {
         result.slide_inverse = {inverse(its_slide.axial), inverse(its_slide.azimuthal)};
         return result;
     }
+
+    /// The same where the surface slips at a speed whose square is `speed2` (m2/s2): from static
+    /// to dynamic as Hess and Soom (1990) have it, one limit for a spring that sticks and for one
+    /// that slides.
+    [[nodiscard]] DRILLSTRAND_INLINE FrictionParameters at_speed2(double speed2) const {
+        const double part = 1.0 / (1.0 + inverse_speed2 * speed2);
+        const Tangential limit = {slide.axial + part * (fixed.axial - slide.axial),
+                                  slide.azimuthal + part * (fixed.azimuthal - slide.azimuthal)};
+        return with(limit, limit);
+    }
 };
 
 /// Coefficients and their inverses, so that kernels multiply. A coefficient of zero in a direction
 /// frees that direction.
 inline FrictionParameters friction_parameters(double stiffness, const Tangential& fixed,
                                               const Tangential& slide, FrictionLaw law,
-                                              double creep = 0.0) {
+                                              double creep = 0.0, double stribeck_speed = 0.0) {
     const auto inverse = [](double coefficient) {
         return coefficient > 0.0 ? 1.0 / coefficient : 0.0;
     };
@@ -83,7 +95,8 @@ inline FrictionParameters friction_parameters(double stiffness, const Tangential
             {inverse(fixed.axial), inverse(fixed.azimuthal)},
             {inverse(slide.axial), inverse(slide.azimuthal)},
             law,
-            creep};
+            creep,
+            stribeck_speed > 0.0 ? 1.0 / (stribeck_speed * stribeck_speed) : 0.0};
 }
 
 /// Speed of the contact along the wall (m/s): where a pipe that touches goes around the well with

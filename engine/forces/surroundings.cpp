@@ -74,7 +74,7 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
         friction_parameters(contact.tangential_stiffness,
                             {contact.static_friction.axial, contact.static_friction.azimuthal},
                             {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal},
-                            contact.law, contact.rolling_creep);
+                            contact.law, contact.rolling_creep, contact.stribeck_speed);
     if (scene.fluid) {
         p.density = scene.fluid->density;
         p.viscosity = scene.fluid->viscosity;

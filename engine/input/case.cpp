@@ -37,6 +37,7 @@ void check_ends(const Case& input, const toml::table& root) {
     };
     if (input.head.drive) refuse("head.drive");
     if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
+    if (input.contact.stribeck_speed > 0) refuse("contact.stribeck_speed");
 }
 
 /// Throws InputError where a run cannot start from equilibrium.

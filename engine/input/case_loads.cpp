@@ -217,7 +217,7 @@ ContactCase read_contact(const Table& root) {
     const Table table = root.subtable(
         "contact", {"normal_stiffness", "point_stiffness", "normal_damping", "restitution",
                     "tangential_stiffness", "rolling_creep", "static_friction", "dynamic_friction",
-                    "law", "tension", "interference"});
+                    "stribeck_speed", "law", "tension", "interference"});
     table.refuse_both("normal_damping", "restitution");
 
     ContactCase contact;
@@ -246,6 +246,11 @@ ContactCase read_contact(const Table& root) {
                               contact.static_friction, sliding);
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
+    constexpr Dimension speed{0, 1, -1};
+    contact.stribeck_speed = table.quantity("stribeck_speed", speed, contact.stribeck_speed,
+                                            plausible::speed_or_none);
+    if (contact.stribeck_speed > 0 && contact.law == FrictionLaw::paper)
+        refuse_key(table, "stribeck_speed", "contact.law = \"coulomb\"");
     contact.tension = table.boolean("tension", contact.tension);
     contact.interference = table.quantity("interference", dimension::length, contact.interference,
                                           plausible::length_or_none);

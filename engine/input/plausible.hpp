@@ -31,6 +31,7 @@ inline constexpr Range bit_inertia{.low = 0, .high = 1e6};         // kg m2
 inline constexpr Range decay{.low = 0, .high = 1e5};               // rad/s
 inline constexpr Range rotation{.low = -1e5, .high = 1e5};         // rad/s
 inline constexpr Range slow_rotation{.low = 1e-9, .high = 1e5};    // rad/s
+inline constexpr Range speed_or_none{.low = 0, .high = 1e6};       // m/s
 inline constexpr Range speed{.low = -1e6, .high = 1e6};            // m/s
 inline constexpr Range wall_stiffness{.low = 1e-3, .high = 1e15};  // Pa
 inline constexpr Range wall_damping{.low = 0, .high = 1e15};       // Pa s

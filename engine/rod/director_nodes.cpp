@@ -395,8 +395,9 @@ struct WellNodes {
     }
 
     /// 1 where the node began to slide. The contact rolls with the velocity of the step before:
-    /// that of a node that sticks is then none, whatever pulls at it.
-    template <FrictionLaw law, class Wall>
+    /// that of a node that sticks is then none, whatever pulls at it. So does the surface slip
+    /// where friction `falls` with its speed.
+    template <FrictionLaw law, bool falls, class Wall>
     DRILLSTRAND_INLINE double rub(std::size_t k, const Wall& varying) const {
         const Mobility m = mobility(k);
         FrictionParameters its = friction;
@@ -406,6 +407,11 @@ struct WellNodes {
         const double normal = wall.normal[k];
         const FrictionSpring spring = wall.spring(k);
         const double around = dot(in.v[k], cross(at(h.r, k), at(h.l, k)));
+        if constexpr (falls) {
+            const double along = dot(in.v[k], at(h.l, k));
+            const double surface = around + wall.pipe[k] * in.s[k];
+            its = its.at_speed2(along * along + surface * surface);
+        }
         const double rolled = kick * rolling_speed(around, h.eccentricity[k], wall.hole[k]);
         const FrictionStep done =
             law == FrictionLaw::paper
@@ -499,6 +505,15 @@ DRILLSTRAND_INLINE Met surround_nodes(const Well& well, const Wall& wall, std::s
     return {leavers, touching, touched, impacts};
 }
 
+template <FrictionLaw law, bool falls, class Wall, class Well>
+DRILLSTRAND_INLINE double rub_nodes(const Well& well, const Wall& wall, std::size_t count) {
+    double slips = 0.0;
+#pragma omp simd reduction(+ : slips)
+    for (std::size_t k = 0; k < count; ++k)
+        slips += well.template rub<law, falls>(k, wall);
+    return slips;
+}
+
 /// Pressing and rubbing in two loops: what waits for the one does not hold up the other. Returns
 /// how many nodes began to slide.
 template <class Wall, class Well>
@@ -511,17 +526,11 @@ DRILLSTRAND_INLINE double touch_wall(const Well& well, const Wall& wall, std::si
         for (std::size_t k = 0; k < count; ++k)
             well.template rebound<Wall::varies>(k);
     }
-    double slips = 0.0;
-    if (well.friction.law == FrictionLaw::paper) {
-#pragma omp simd reduction(+ : slips)
-        for (std::size_t k = 0; k < count; ++k)
-            slips += well.template rub<FrictionLaw::paper>(k, wall);
-    } else {
-#pragma omp simd reduction(+ : slips)
-        for (std::size_t k = 0; k < count; ++k)
-            slips += well.template rub<FrictionLaw::coulomb>(k, wall);
-    }
-    return slips;
+    if (well.friction.law == FrictionLaw::paper)
+        return rub_nodes<FrictionLaw::paper, false>(well, wall, count);
+    return well.friction.inverse_speed2 > 0.0
+               ? rub_nodes<FrictionLaw::coulomb, true>(well, wall, count)
+               : rub_nodes<FrictionLaw::coulomb, false>(well, wall, count);
 }
 
 template <Around around, bool heavy, Damping damping, bool curved>

@@ -213,6 +213,8 @@ struct ContactCase {
     double rolling_creep = 0.005;       ///< at which friction of a rolling pipe saturates; 0: never
     FrictionCoefficients static_friction{0.6, 0.6};
     FrictionCoefficients dynamic_friction{0.42, 0.42};
+    /// m/s, over which friction falls from static to dynamic; 0: as soon as a point slides
+    double stribeck_speed = 0;
     FrictionLaw law = FrictionLaw::coulomb;
     bool tension = false;     ///< true: the dashpot may pull (the paper)
     double interference = 0;  ///< by which a contact point may be wider than the hole (m)

@@ -537,6 +537,21 @@ TEST(BadCases, FluidHasARegimeThatItsKeysFit) {
     });
 }
 
+TEST(BadCases, FrictionThatFallsWithSpeedIsCoulombsOnTheLeapfrogsRod) {
+    expect_messages({
+        {"duration = 20\n", "duration = 20\n[contact]\nstribeck_speed = -0.1\n",
+         "case.toml:40:18: contact.stribeck_speed is -0.1; expected 0 to 1e6 m/s"},
+        {"duration = 20\n",
+         "duration = 20\n[contact]\nlaw = \"paper\"\nstribeck_speed = \"0.1 m/s\"\n",
+         "case.toml:41:18: contact.stribeck_speed has no effect; expected it with contact.law = "
+         "\"coulomb\""},
+        {"duration = 20\n",
+         "duration = 20\nintegrator = \"dormand-prince\"\n[contact]\nstribeck_speed = 0.1\n",
+         "case.toml:41:18: contact.stribeck_speed is for the leapfrog's rod; expected "
+         "run.integrator = \"leapfrog\""},
+    });
+}
+
 TEST(BadCases, RollingCreepIsAPartOfTheWay) {
     expect_messages({
         {"duration = 20\n", "duration = 20\n[contact]\nrolling_creep = 1.5\n",

@@ -102,6 +102,7 @@ point_stiffness = 1e9
 tangential_stiffness = 1e7
 rolling_creep = 0.005
 law = "coulomb"
+stribeck_speed = 0
 tension = false
 interference = 0
 static_friction = 0.6

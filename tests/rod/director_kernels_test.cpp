@@ -285,6 +285,8 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"FastCreep", 37, false, true, std::string(wall) + "rolling_creep = 1\n"},
         Variant{"FastCreepByThePapersLaw", 37, false, true,
                 std::string(wall) + "rolling_creep = 1\nlaw = \"paper\"\n"},
+        Variant{"FrictionThatFallsWithSpeed", 37, false, true,
+                std::string(wall) + "stribeck_speed = 0.5\n"},
         Variant{"PapersMud", 37, false, true, std::string(wall) + papers_mud},
         Variant{"PapersAxialDrag", 37, false, true,
                 std::string(wall) + papers_mud + "axial_drag = \"concentric\"\n"},

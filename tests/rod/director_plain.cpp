@@ -268,6 +268,21 @@ double normal_of_impact(double e, double pressed, double star, double coming, do
     return pressed;
 }
 
+/// Friction of a surface that slips at a speed.
+FrictionParameters plain_friction(const ContactCase& contact, double slip) {
+    const auto at_slip = [&](double fixed, double slide) {
+        return slide + (fixed - slide) / (1 + std::pow(slip / contact.stribeck_speed, 2));
+    };
+    FrictionCoefficients fixed = contact.static_friction;
+    FrictionCoefficients slide = contact.dynamic_friction;
+    if (contact.stribeck_speed > 0) {
+        slide = {at_slip(fixed.axial, slide.axial), at_slip(fixed.azimuthal, slide.azimuthal)};
+        fixed = slide;
+    }
+    return friction_parameters(contact.tangential_stiffness, {fixed.axial, fixed.azimuthal},
+                               {slide.axial, slide.azimuthal}, contact.law, contact.rolling_creep);
+}
+
 /// Fluid that moves along, contact, friction and drag. Returns the well's direction.
 Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
                   const PlainNode& last, PlainNode& node, Vector3d& v, Vector3d& v_rod,
@@ -314,11 +329,9 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
     if (depth > 0) {
         // spring and dashpot at the end of the step, on the way that the wall leans
         const ContactCase contact = contact_at(scene, wall);
-        const FrictionParameters friction = friction_parameters(
-            contact.tangential_stiffness,
-            {contact.static_friction.axial, contact.static_friction.azimuthal},
-            {contact.dynamic_friction.axial, contact.dynamic_friction.azimuthal}, contact.law,
-            contact.rolling_creep);
+        const FrictionParameters friction =
+            plain_friction(contact, std::hypot(last.velocity.dot(frame.col(1)),
+                                               last.velocity.dot(frame.col(2)) + pipe * last.spin));
         const double stiffness = wall.firmness * scene.normal_stiffness[k];
         const double resistance = wall.damping * scene.normal_damping[k] + kick * stiffness;
         const double inertia = 1 / (1 / sideways + wall.lean * wall.lean / along);

@@ -216,7 +216,10 @@ void print_contact(const Scene& scene) {
     line("friction",
          fmt::format("law {}, {}{}", contact.law == FrictionLaw::paper ? "paper" : "coulomb",
                      friction_text(contact.static_friction, contact.dynamic_friction),
-                     scene.features.varied_wall ? ", where a section has none of its own" : ""));
+                     scene.features.varied_wall ? ", where a section has none of its own" : "") +
+             (contact.stribeck_speed > 0
+                  ? fmt::format(", falling over {:.3g} m/s", contact.stribeck_speed)
+                  : ""));
     line("rolling",
          contact.rolling_creep > 0
              ? fmt::format("friction saturates at a creep of {:.3g}", contact.rolling_creep)
