@@ -145,16 +145,22 @@ HeadCase read_head(const Table& root) {
 
 namespace {
 
-/// What the law of friction has in place of a torque that is prescribed.
+/// Fails where a key stands that only another law of the bit uses.
+void refuse_keys_of_other_laws(const Table& table, BitLaw law) {
+    const auto refuse = [&](BitLaw its, std::string_view name,
+                            std::initializer_list<std::string_view> keys) {
+        for (const std::string_view key : keys)
+            if (law != its) refuse_key(table, key, fmt::format("bit.law = \"{}\"", name));
+    };
+    refuse(BitLaw::prescribed, "prescribed", {"torque", "friction", "smoothing_speed"});
+    refuse(BitLaw::stribeck, "stribeck", {"static_torque", "dynamic_torque", "decay_speed"});
+    refuse(BitLaw::cutting, "cutting", {"cutting", "feed", "off_bottom"});
+    if (law == BitLaw::cutting)
+        refuse_key(table, "weight", "another bit.law; by this one it is what the rock asks for");
+}
+
+/// Friction in place of a torque that is prescribed.
 void read_bit_friction(const Table& table, BitCase& bit) {
-    constexpr std::string_view friction = "bit.law = \"stribeck\"";
-    if (bit.law == BitLaw::prescribed) {
-        for (const std::string_view key : {"static_torque", "dynamic_torque", "decay_speed"})
-            refuse_key(table, key, friction);
-        return;
-    }
-    for (const std::string_view key : {"torque", "friction", "smoothing_speed"})
-        refuse_key(table, key, "bit.law = \"prescribed\"");
     const Value largest = table.require("static_torque", "a torque such as \"8 kN m\"");
     bit.static_torque = largest.quantity(dimension::moment, plausible::load_or_none);
     bit.dynamic_torque = bit.static_torque;
@@ -168,13 +174,40 @@ void read_bit_friction(const Table& table, BitCase& bit) {
         table.quantity("decay_speed", dimension::frequency, bit.decay_speed, plausible::decay);
 }
 
+/// The rock, and the blades that cut it.
+void read_cutting(const Table& table, BitCase& bit, const StringCase& string) {
+    const Table rock =
+        table.subtable("cutting", {"blades", "specific_energy", "inclination", "wear_flat",
+                                   "contact_strength", "flat_friction"});
+    CuttingCase& cutting = bit.cutting;
+    constexpr int most_blades = 100;
+    cutting.blades = rock.whole_number("blades", cutting.blades, 1, most_blades);
+    cutting.specific_energy = rock.require("specific_energy", "a pressure such as \"60 MPa\"")
+                                  .quantity(dimension::pressure, plausible::rock_strength);
+    cutting.inclination =
+        rock.number("inclination", cutting.inclination, plausible::cutter_inclination);
+    cutting.wear_flat =
+        rock.quantity("wear_flat", dimension::length, cutting.wear_flat, plausible::length_or_none);
+    cutting.contact_strength = rock.quantity("contact_strength", dimension::pressure,
+                                             cutting.specific_energy, plausible::rock_strength);
+    cutting.flat_friction =
+        rock.number("flat_friction", cutting.flat_friction, plausible::friction);
+    constexpr Dimension speed{0, 1, -1};
+    bit.feed = table.scalar_schedule("feed", speed, plausible::speed);
+    bit.off_bottom =
+        table.quantity("off_bottom", dimension::length, bit.off_bottom, plausible::length_or_none);
+    if (string.components.back().outer_diameter == 0)
+        table.require("law", "").fail(
+            "needs the bit's radius; expected an outer_diameter in the last component");
+}
+
 }  // namespace
 
 BitCase read_bit(const Table& root, const StringCase& string) {
-    const Table table =
-        root.subtable("bit", {"law", "weight", "torque", "friction", "smoothing_speed", "direction",
-                              "static_torque", "dynamic_torque", "decay_speed", "inertia",
-                              "contact_length", "force", "dead_moment", "moment"});
+    const Table table = root.subtable(
+        "bit", {"law", "weight", "torque", "friction", "smoothing_speed", "direction",
+                "static_torque", "dynamic_torque", "decay_speed", "inertia", "cutting", "feed",
+                "off_bottom", "contact_length", "force", "dead_moment", "moment"});
     table.refuse_both("torque", "friction");
 
     const bool in_well = root.find("well").has_value();
@@ -187,9 +220,13 @@ BitCase read_bit(const Table& root, const StringCase& string) {
                 "needs the bit's radius; expected an outer_diameter in the last component");
         }
     }
-    bit.law = table.choice<BitLaw>(
-        "law", bit.law, {{"prescribed", BitLaw::prescribed}, {"stribeck", BitLaw::stribeck}});
-    read_bit_friction(table, bit);
+    bit.law = table.choice<BitLaw>("law", bit.law,
+                                   {{"prescribed", BitLaw::prescribed},
+                                    {"stribeck", BitLaw::stribeck},
+                                    {"cutting", BitLaw::cutting}});
+    refuse_keys_of_other_laws(table, bit.law);
+    if (bit.law == BitLaw::stribeck) read_bit_friction(table, bit);
+    if (bit.law == BitLaw::cutting) read_cutting(table, bit, string);
     bit.inertia = table.quantity("inertia", moment_of_inertia, bit.inertia, plausible::bit_inertia);
     // the rock pushes, it does not pull
     bit.weight = table.scalar_schedule("weight", dimension::force, plausible::load_or_none);
@@ -247,8 +284,8 @@ ContactCase read_contact(const Table& root) {
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
     constexpr Dimension speed{0, 1, -1};
-    contact.stribeck_speed = table.quantity("stribeck_speed", speed, contact.stribeck_speed,
-                                            plausible::speed_or_none);
+    contact.stribeck_speed =
+        table.quantity("stribeck_speed", speed, contact.stribeck_speed, plausible::speed_or_none);
     if (contact.stribeck_speed > 0 && contact.law == FrictionLaw::paper)
         refuse_key(table, "stribeck_speed", "contact.law = \"coulomb\"");
     contact.tension = table.boolean("tension", contact.tension);

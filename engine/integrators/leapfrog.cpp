@@ -182,12 +182,14 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
-    if (owns_bit) string_.bit.resist(state_.bit, rod, next, step);
+    const Eigen::Vector3d well =
+        owns_bit ? well_at_bit(string_, state_.wall, rod) : Eigen::Vector3d::Zero();
+    if (owns_bit) string_.bit.resist(state_.bit, state_.rock, rod, next, well, step);
     for (const std::size_t stretch : worker.share->stretches)
         worker.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
             model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);
     if (owns_head) string_.head.finish(state_.head, segments, rod, next, step);
-    if (owns_bit) string_.bit.finish(state_.bit, segments, rod, next, step);
+    if (owns_bit) string_.bit.finish(state_.bit, state_.rock, segments, rod, next, well, step);
     return sound;
 }
 

@@ -162,6 +162,12 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::bit_torque>("/series/bit_torque", "N m",
                                "torque of the rock on the bit, positive against a positive "
                                "rotation"),
+        series<&R::depth_of_cut>("/series/depth_of_cut", "m",
+                                 "depth that the bit cuts in a turn; 0 where bit.law is not "
+                                 "\"cutting\""),
+        series<&R::drilled>("/series/drilled", "m",
+                            "depth of the bit below the bottom of the hole at the start, negative "
+                            "off bottom; 0 where bit.law is not \"cutting\""),
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
         series<&R::energy, &E::rotation>("/series/rotation_energy", "J",
                                          "kinetic energy of the spin about d3, part of the kinetic "

@@ -15,11 +15,14 @@ Bit::Bit(const Scene& scene)
     : Bit(scene.bit, scene.mesh.node.back().outer_radius,
           static_cast<std::size_t>(scene.segments)) {
     inertia_ = scene.mesh.node.back().polar_inertia * scene.mesh.cell.back();
+    mass_ = scene.mesh.node.back().mass * scene.mesh.cell.back();
     material_turns_ = scene.features.curved;
+    if (loads_.law == BitLaw::cutting) cutting_.emplace(loads_.cutting, radius_);
 }
 
 double Bit::full_torque(double time) const {
     if (loads_.law == BitLaw::stribeck) return loads_.static_torque;
+    if (loads_.law == BitLaw::cutting) return 0;  // of what it cuts, not of time
     if (!loads_.friction) return loads_.torque(time);
     return *loads_.friction * std::numbers::pi * radius_ / 4 * loads_.weight(time);
 }
@@ -58,14 +61,24 @@ double Bit::friction(double speed) const {
 
 // ------------------------------------------------------------------ on directors
 
-void Bit::load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
-               const Vector3d& well_direction, double opposed_rate, double time) const {
+double Bit::weight(const RockState& rock, double time) const {
+    return cutting_ ? cutting_->weight(rock) + rock.flat_weight : loads_.weight(time);
+}
+
+double Bit::depth_of_cut(const RockState& rock) const {
+    return cutting_ ? loads_.cutting.blades * cutting_->depth_of_cut(rock) : 0.0;
+}
+
+void Bit::load(const BitState& bit, const RockState& rock, Table<SegmentRow>& segments,
+               const Table<DirectorRow>& rod, const Vector3d& well_direction, double opposed_rate,
+               double time) const {
     const Vector3d t = rod.vector(DirectorRow::director, node_);
     // what a law of the bit's own rate gives is the state's
     BitMotion motion{{}, well_direction, law() == BitLaw::prescribed ? opposed_rate : 0.0};
     motion.frame << t, bit.d1, t.cross(bit.d1);
     EndLoad outside = load(motion, time);
     outside.couple -= bit.torque * t;
+    if (cutting_) outside.force -= weight(rock, time) * down(t, well_direction);
     write_end_load(segments, static_cast<std::ptrdiff_t>(node_), outside, t);
 }
 
@@ -88,22 +101,56 @@ double Bit::speed_left(double free_speed, double mobility) const {
     return std::max(speed, 0.0);
 }
 
-void Bit::resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
-                 const DirectorStep& step) const {
-    if (loads_.law == BitLaw::prescribed) return;
-    const double mobility = step.kick / inertia_;
-    const double before = rod.row(DirectorRow::spin)[node_];
-    double& spin = next.row(DirectorRow::spin)[node_];
-    const double free = spin + mobility * bit.torque;
-    const double most = mobility * loads_.static_torque;
+double Bit::spin_left(const BitState& bit, const RockState& rock, double before, double free,
+                      double mobility) const {
+    if (cutting_) {
+        // what it cuts resists on the way on only, its wear flats both ways
+        const double flats = cutting_->flat_torque(rock.flat_weight);
+        const double on = mobility * (flats + cutting_->torque(rock));
+        if (free > on) return free - on;
+        return std::min(free + mobility * flats, 0.0);
+    }
     double left = 0;
     if (bit.sticks == 0) {
         // it slides on the way it went, as far as it goes that way
         left = std::copysign(speed_left(std::max(std::copysign(1.0, before) * free, 0.0), mobility),
                              before);
     }
-    if (left == 0 && std::abs(free) > most)
+    if (left == 0 && std::abs(free) > mobility * loads_.static_torque)
         left = std::copysign(speed_left(std::abs(free), mobility), free);
+    return left;
+}
+
+void Bit::press_flats(BitState& bit, RockState& rock, const Table<DirectorRow>& rod,
+                      Table<DirectorRow>& next, const Vector3d& down,
+                      const DirectorStep& step) const {
+    const double mobility = step.kick / mass_;
+    const Vector3d velocity = next.vector(DirectorRow::velocity, node_);
+    const double sinking =
+        velocity.dot(down) + loads_.feed(step.time) + mobility * rock.flat_weight;
+    const double weight = std::clamp(sinking / mobility, 0.0, cutting_->largest_flat_weight(rock));
+    const double change = mobility * (rock.flat_weight - weight);
+    const double before = rod.vector(DirectorRow::velocity, node_).dot(down);
+    // of what changes here; the weight of the step before does its work in finish()
+    bit.work += mass_ * change * 0.5 * (before + velocity.dot(down) + change);
+    next.set(DirectorRow::velocity, node_, velocity + change * down);
+    next.set(DirectorRow::position, node_,
+             next.vector(DirectorRow::position, node_) + step.drift * change * down);
+    rock.flat_weight = weight;
+}
+
+void Bit::resist(BitState& bit, RockState& rock, const Table<DirectorRow>& rod,
+                 Table<DirectorRow>& next, const Vector3d& well_direction,
+                 const DirectorStep& step) const {
+    if (loads_.law == BitLaw::prescribed) return;
+    if (cutting_)
+        press_flats(bit, rock, rod, next,
+                    down(rod.vector(DirectorRow::director, node_), well_direction), step);
+    const double mobility = step.kick / inertia_;
+    const double before = rod.row(DirectorRow::spin)[node_];
+    double& spin = next.row(DirectorRow::spin)[node_];
+    const double free = spin + mobility * bit.torque;
+    const double left = spin_left(bit, rock, before, free, mobility);
     bit.sticks = left == 0 ? 1 : 0;
     const double torque = (free - left) / mobility;
     // of what changes here; the torque of the step before does its work in finish()
@@ -118,8 +165,9 @@ void Bit::resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow
     spin = left;
 }
 
-void Bit::finish(BitState& bit, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
-                 Table<DirectorRow>& next, const DirectorStep& step) const {
+void Bit::finish(BitState& bit, RockState& rock, const Table<SegmentRow>& segments,
+                 const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+                 const Vector3d& well_direction, const DirectorStep& step) const {
     const auto mean = [&](DirectorRow row) {
         return Vector3d(0.5 * (rod.vector(row, node_) + next.vector(row, node_)));
     };
@@ -133,6 +181,13 @@ void Bit::finish(BitState& bit, const Table<SegmentRow>& segments, const Table<D
                          (rod.row(DirectorRow::spin)[node_] + next_spin));
     const Vector3d t = next.vector(DirectorRow::director, node_);
     bit.d1 = followed(bit.d1, before, t, step.drift * next_spin);
+    if (cutting_) {
+        const double fed =
+            loads_.feed.integral(step.time + step.drift) - loads_.feed.integral(step.time);
+        const Vector3d moved = step.drift * next.vector(DirectorRow::velocity, node_);
+        cutting_->advance(rock, step.drift * next_spin,
+                          moved.dot(down(before, well_direction)) + fed);
+    }
     const auto beyond = static_cast<std::ptrdiff_t>(node_) + 1;
     next.set(DirectorRow::position, beyond, next.vector(DirectorRow::position, node_));
     next.set(DirectorRow::director, beyond, t);

@@ -1,15 +1,17 @@
 /// The bit: weight, torque and the dead and follower loads of a case, on the rod and as work, and
 /// the law of the rock on it (engine/rod/README.md, "Bit and rock"). Its own constants and its
-/// state (BitState, state/rows.hpp).
+/// state (BitState and RockState, state/rows.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "drillstrand/case.hpp"
 #include "drillstrand/records.hpp"
 #include "drillstrand/scene.hpp"
+#include "rod/cutting.hpp"
 #include "rod/director.hpp"
 #include "rod/end.hpp"
 #include "state/rows.hpp"
@@ -45,7 +47,7 @@ class Bit {
     /// The same in the space frame, as a load.
     [[nodiscard]] EndLoad load(const BitMotion& motion, double time) const;
 
-    // ---- on directors
+    // ---- on directors; `well_direction` as in BitMotion
 
     [[nodiscard]] BitState start(const Eigen::Vector3d& d1) const {
         BitState bit;
@@ -53,17 +55,28 @@ class Bit {
         bit.sticks = loads_.law == BitLaw::prescribed ? 0 : 1;
         return bit;
     }
-    /// The load as a ghost segment behind the last. `well_direction` as in BitMotion.
-    void load(const BitState& bit, Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
-              const Eigen::Vector3d& well_direction, double opposed_rate, double time) const;
-    /// The rock's answer to the bit's rotation in a step, by the law: the spin of `next` so far is
-    /// that which the torque of the step before leaves.
-    void resist(BitState& bit, const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+    [[nodiscard]] RockState start_on_rock() const {
+        return cutting_ ? cutting_->start(loads_.off_bottom) : RockState();
+    }
+    /// What the rock presses against the bit with (N).
+    [[nodiscard]] double weight(const RockState& rock, double time) const;
+    /// Depth that the bit cuts in a turn (m); 0 by a law that does not tell.
+    [[nodiscard]] double depth_of_cut(const RockState& rock) const;
+
+    /// The load as a ghost segment behind the last.
+    void load(const BitState& bit, const RockState& rock, Table<SegmentRow>& segments,
+              const Table<DirectorRow>& rod, const Eigen::Vector3d& well_direction,
+              double opposed_rate, double time) const;
+    /// The rock's answer to the bit's motion in a step, by the law: velocity and spin of `next` so
+    /// far are those which the answer of the step before leaves.
+    void resist(BitState& bit, RockState& rock, const Table<DirectorRow>& rod,
+                Table<DirectorRow>& next, const Eigen::Vector3d& well_direction,
                 const DirectorStep& step) const;
-    /// The end of a step: the work at the bit, its frame, and the padding node beyond it, which
-    /// goes along so that the ghost segment stays without strain.
-    void finish(BitState& bit, const Table<SegmentRow>& segments, const Table<DirectorRow>& rod,
-                Table<DirectorRow>& next, const DirectorStep& step) const;
+    /// The end of a step: the work at the bit, its frame, the rock that it cut, and the padding
+    /// node beyond it, which goes along so that the ghost segment stays without strain.
+    void finish(BitState& bit, RockState& rock, const Table<SegmentRow>& segments,
+                const Table<DirectorRow>& rod, Table<DirectorRow>& next,
+                const Eigen::Vector3d& well_direction, const DirectorStep& step) const;
 
   private:
     /// Friction at a speed (rad/s, positive; N m), law stribeck.
@@ -71,12 +84,26 @@ class Bit {
     /// The largest speed (rad/s) that friction leaves of a free one in a step of `mobility` = time
     /// over inertia; 0 where it leaves none.
     [[nodiscard]] double speed_left(double free_speed, double mobility) const;
+    /// The spin that a law leaves of a free one, that before the step being `before`.
+    [[nodiscard]] double spin_left(const BitState& bit, const RockState& rock, double before,
+                                   double free, double mobility) const;
+    /// Presses the wear flats against the rock: as much as stops them, and no more than it bears.
+    void press_flats(BitState& bit, RockState& rock, const Table<DirectorRow>& rod,
+                     Table<DirectorRow>& next, const Eigen::Vector3d& down,
+                     const DirectorStep& step) const;
+    /// Unit vector that weight acts against, at a director.
+    [[nodiscard]] Eigen::Vector3d down(const Eigen::Vector3d& director,
+                                       const Eigen::Vector3d& well_direction) const {
+        return loads_.direction == BitDirection::follower ? director : well_direction;
+    }
 
     std::size_t node_;
     double radius_;                ///< m
     double inertia_ = 0;           ///< of its node, which turns with it (kg m2)
+    double mass_ = 0;              ///< of its node's cell (kg)
     bool material_turns_ = false;  ///< rows of the string hold a direction that turns with it
     BitCase loads_;
+    std::optional<Cutting> cutting_;
 };
 
 }  // namespace drillstrand

@@ -309,8 +309,10 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
         at.slips += done.slips;
     }
     BitState bit = state.bit;
+    RockState rock = state.rock;
     if (last_drift > 0)
-        string.bit.resist(bit, state.rod, at.rod, {time, last_drift, 0.0, 0.5 * last_drift});
+        string.bit.resist(bit, rock, state.rod, at.rod, well_at_bit(string, state.wall, state.rod),
+                          {time, last_drift, 0.0, 0.5 * last_drift});
     for (std::size_t i = 0; i < works.size(); ++i)
         string.substeps.share(model, state.rod, at.rod, i, 0.5 * last_drift, 0.0, works[i]);
     string.head.settle(state.head, at.segments, state.rod.row(DirectorRow::spin)[0], at.rod, time,
@@ -414,12 +416,14 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.surface_torque = string.head.surface_torque(
         at.segments.row(SegmentRow::torque)[0] + at.segments.row(SegmentRow::viscous_torque)[0],
         time);
-    record.weight_on_bit = string.bit.loads().weight(time);
+    record.weight_on_bit = string.bit.weight(state.rock, time);
     record.bit_torque =
         string.bit.law() == BitLaw::prescribed
             ? string.bit.torque(string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]),
                                 time)
             : state.bit.torque;
+    record.depth_of_cut = string.bit.depth_of_cut(state.rock);
+    record.drilled = state.rock.depth;
     record.drive_torque = scene.head.drive ? state.head.drive_torque : record.surface_torque;
     record.step_size = state.clock.last_step;
     record.time_error = state.time_error.latest;

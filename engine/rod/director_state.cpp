@@ -46,25 +46,32 @@ DirectorState initial_state(const DirectorString& string) {
     for (std::size_t k = 0; k < nodes; ++k)
         state.rod.set(DirectorRow::material, static_cast<std::ptrdiff_t>(k), frame[k].col(1));
     state.bit = string.bit.start(frame.back().col(1));
-    string.bit.finish(state.bit, Table<SegmentRow>(nodes), state.rod, state.rod, {});
+    state.rock = string.bit.start_on_rock();
+    string.bit.finish(state.bit, state.rock, Table<SegmentRow>(nodes), state.rod, state.rod,
+                      well_at_bit(string, state.wall, state.rod), {});
 
     state.origin = energy_origin(string, state);
     return state;
 }
 
+Eigen::Vector3d well_at_bit(const DirectorString& string, const Table<WallRow>& wall,
+                            const Table<DirectorRow>& rod) {
+    const std::size_t node = string.model.segments;
+    return string.model.surroundings.direction(wall, node, rod.vector(DirectorRow::position, node),
+                                               rod.vector(DirectorRow::director, node));
+}
+
 void load_bit(const DirectorString& string, const DirectorState& state,
               const Table<DirectorRow>& rod, double time, Table<SegmentRow>& segments) {
-    const std::size_t node = string.model.segments;
-    const Eigen::Vector3d down_well = string.model.surroundings.direction(
-        state.wall, node, rod.vector(DirectorRow::position, node),
-        rod.vector(DirectorRow::director, node));
-    string.bit.load(state.bit, segments, rod, down_well,
-                    string.head.opposed_rate(time, rod.row(DirectorRow::spin)[node]), time);
+    const double rate = rod.row(DirectorRow::spin)[string.model.segments];
+    string.bit.load(state.bit, state.rock, segments, rod, well_at_bit(string, state.wall, rod),
+                    string.head.opposed_rate(time, rate), time);
 }
 
 void start_again(const DirectorString& string, DirectorState& state) {
     DirectorSnapshot at = snapshot(string, state);
-    string.bit.finish(state.bit, at.segments, state.rod, at.rod, {});
+    string.bit.finish(state.bit, state.rock, at.segments, state.rod, at.rod,
+                      well_at_bit(string, state.wall, state.rod), {});
     state.rod = std::move(at.rod);
     std::copy_n(at.segments.row(SegmentRow::twist), string.model.segments,
                 state.rod.row(DirectorRow::last_twist));

@@ -31,6 +31,7 @@ struct DirectorState {
     // written at each step, each by the thread that has the end: in cache lines of their own
     alignas(block_alignment) HeadState head;
     alignas(block_alignment) BitState bit;
+    alignas(block_alignment) RockState rock;
     alignas(block_alignment) Accounts accounts;  ///< per span
     EnergyOrigin origin;
     Clock clock;
@@ -45,6 +46,7 @@ struct DirectorState {
         visit("wall", self.wall);
         visit("head", self.head);
         visit("bit", self.bit);
+        visit("rock", self.rock);
         visit("accounts", self.accounts);
         visit("origin", self.origin);
         visit("clock", self.clock);
@@ -57,6 +59,10 @@ struct DirectorState {
 
 /// The string at rest at time 0 in the scene's initial nodes, but for a head that is driven.
 DirectorState initial_state(const DirectorString& string);
+
+/// Down the well at the bit; its director where there is no well.
+Eigen::Vector3d well_at_bit(const DirectorString& string, const Table<WallRow>& wall,
+                            const Table<DirectorRow>& rod);
 
 /// The load at the bit as a ghost segment behind the last, at the whole step of the state.
 void load_bit(const DirectorString& string, const DirectorState& state,

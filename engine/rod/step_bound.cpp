@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "rod/cutting.hpp"
 #include "rod/segment_rates.hpp"
 
 namespace drillstrand {
@@ -190,6 +191,13 @@ std::vector<MovingSegment> moving_segments(const Scene& scene) {
     segments.reserve(loads.size());
     for (std::size_t k = 0; k < loads.size(); ++k)
         segments.push_back({segment_rates(scene, k, loads[k]), MovedInertia(scene, k)});
+    if (scene.bit.law == BitLaw::cutting) {
+        // the rock is a spring on the bit's half cell at most
+        MovingSegment& last = segments.back();
+        const double rock =
+            Cutting::stiffness(scene.bit.cutting, scene.mesh.node.back().outer_radius);
+        last.rates.axial = std::hypot(last.rates.axial, std::sqrt(2 * rock / last.moved.along));
+    }
     return segments;
 }
 

@@ -43,6 +43,7 @@ double last_change(const Scene& scene) {
     }
     follow(scene.bit.weight);
     follow(scene.bit.torque);
+    follow(scene.bit.feed);
     follow(scene.bit.force);
     follow(scene.bit.dead_moment);
     follow(scene.bit.moment);

@@ -182,6 +182,29 @@ inline constexpr auto field_list<BitState> = std::to_array<Field<BitState>>({
 });
 // clang-format on
 
+/// The rock under a bit that cuts it, all angles alike from blade to blade.
+struct RockState {
+    double depth = 0;
+    double angle = 0;
+    double way = 0;
+    double last_angle = 0;
+    double last_surface = 0;
+    double flat_weight = 0;
+    std::vector<double> surface = {0.0};
+};
+// clang-format off
+template <>
+inline constexpr auto field_list<RockState> = std::to_array<Field<RockState>>({
+    {&RockState::depth, "depth", "m", "bit law: of the blades below the bottom at the start"},
+    {&RockState::angle, "angle", "rad", "bit law: that the bit has turned"},
+    {&RockState::way, "way", "1", "bit law: 1 where it turned on, -1 where back; 0 without rock"},
+    {&RockState::last_angle, "last_angle", "rad", "bit law: of the last place that a blade passed, or where it turned back"},
+    {&RockState::last_surface, "last_surface", "m", "bit law: depth of the rock there before it was cut"},
+    {&RockState::flat_weight, "flat_weight", "N", "bit law: on the wear flats in the last step"},
+    {&RockState::surface, "surface", "m", "bit law: depth of the rock at places from blade to blade; one number without rock"},
+});
+// clang-format on
+
 // ------------------------------------------------------------------ accounts
 
 /// What happened to stretches of nodes that one thread takes, each in its own entry: sums do not

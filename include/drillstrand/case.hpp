@@ -183,6 +183,17 @@ enum class BitDirection { well, follower };
 enum class BitLaw {
     prescribed,  ///< torque as scheduled, against the head's rotation
     stribeck,    ///< friction that falls with the bit's own speed; sticks
+    cutting,     ///< of blades that cut what the one before has left, and of their wear flats
+};
+
+/// Rock and cutters of a bit, law cutting: Detournay and Defourny (1992).
+struct CuttingCase {
+    int blades = 6;
+    double specific_energy = 0;   ///< intrinsic, of the rock (Pa)
+    double inclination = 0.6;     ///< zeta: force into the rock over force along it
+    double wear_flat = 0;         ///< length of the wear flats over all blades (m)
+    double contact_strength = 0;  ///< the most that presses on them (Pa)
+    double flat_friction = 0;     ///< their coefficient of friction times the bit's number gamma
 };
 
 struct BitCase {
@@ -196,6 +207,9 @@ struct BitCase {
     double dynamic_torque = 0;   ///< N m, at high speed
     double decay_speed = 0;      ///< rad/s over which the one falls to the other; 0: at once
     double inertia = 0;          ///< of the bit itself about its axis (kg m2)
+    CuttingCase cutting;         ///< law cutting
+    ScalarSchedule feed;         ///< m/s at which the rock comes up, law cutting
+    double off_bottom = 0;       ///< m, of the blades above the rock at the start, law cutting
     double contact_length = 0;   ///< of wall that the bit touches besides its node's own cell (m)
     VectorSchedule force;        ///< dead load, space frame (N)
     VectorSchedule dead_moment;  ///< dead couple, space frame (N m)

@@ -51,6 +51,8 @@ struct SeriesRecord {
     double drive_torque = 0;    ///< N m, of the drive's motor, what turns its inertia included
     double weight_on_bit = 0;   ///< N, compressive force of the rock on the bit
     double bit_torque = 0;      ///< N m, of the rock against the rotation of the bit
+    double depth_of_cut = 0;    ///< m that the bit cuts in a turn; 0 by a law that does not tell
+    double drilled = 0;         ///< m, of the bit below the bottom at the start; law cutting
     EnergyAccount energy;
     double step_size = 0;             ///< s, of the last step
     double time_error = 0;            ///< relative, of the last sample; 0 with dormand_prince

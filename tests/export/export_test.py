@@ -35,6 +35,8 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
     "drive_torque[N m]": ("drive_torque", None),
     "weight_on_bit[N]": ("weight_on_bit", None),
     "bit_torque[N m]": ("bit_torque", None),
+    "depth_of_cut[m]": ("depth_of_cut", None),
+    "drilled[m]": ("drilled", None),
     "kinetic_energy[J]": ("kinetic_energy", None),
     "rotation_energy[J]": ("rotation_energy", None),
     "half_step_energy[J]": ("half_step_energy", None),

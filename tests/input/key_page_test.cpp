@@ -179,6 +179,18 @@ dynamic_torque = 6000
 decay_speed = 1
 inertia = 1
 )",
+                                      short_pipe + R"([bit]
+law = "cutting"
+feed = 0.001
+off_bottom = 1
+[bit.cutting]
+blades = 6
+specific_energy = 6e7
+inclination = 0.6
+wear_flat = 1e-3
+contact_strength = 6e7
+flat_friction = 0.5
+)",
                                       short_pipe + R"([head.drive]
 control = "tuned"
 impedance_factor = 4

@@ -43,6 +43,8 @@ SHAPES = {
     "/series/drive_torque": (4,),
     "/series/weight_on_bit": (4,),
     "/series/bit_torque": (4,),
+    "/series/depth_of_cut": (4,),
+    "/series/drilled": (4,),
     "/series/kinetic_energy": (4,),
     "/series/rotation_energy": (4,),
     "/series/half_step_energy": (4,),

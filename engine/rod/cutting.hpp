@@ -1,0 +1,48 @@
+/// Rock under the blades of a drag bit: engine/rod/README.md, "Cutting".
+#pragma once
+
+#include <cstddef>
+
+#include "drillstrand/case.hpp"
+#include "state/rows.hpp"
+
+namespace drillstrand {
+
+class Cutting {
+  public:
+    /// Of a bit of that radius (m).
+    Cutting(const CuttingCase& given, double radius);
+
+    /// Weight over the depth that each blade cuts (N/m).
+    [[nodiscard]] static double stiffness(const CuttingCase& given, double radius);
+
+    /// The bottom before anything is cut.
+    [[nodiscard]] RockState start(double off_bottom) const;
+    /// Depth that each blade cuts (m): 0 where it has left the rock.
+    [[nodiscard]] double depth_of_cut(const RockState& rock) const;
+    /// What cutting asks of the bit: weight (N), and torque against a rotation (N m).
+    [[nodiscard]] double weight(const RockState& rock) const;
+    [[nodiscard]] double torque(const RockState& rock) const;
+    /// The most that the wear flats bear (N): nothing off the rock.
+    [[nodiscard]] double largest_flat_weight(const RockState& rock) const;
+    /// Friction of wear flats under a weight (N m).
+    [[nodiscard]] double flat_torque(double flat_weight) const;
+
+    /// Turns the bit (rad) and sinks it (m), evenly, and cuts what is in the way.
+    void advance(RockState& rock, double turn, double sink) const;
+
+  private:
+    /// The rock under the blades at an angle between those of the last place and the next (m).
+    [[nodiscard]] double surface_at(const RockState& rock) const;
+    /// The next place of the grid on the way that the bit turns, as a number of pieces.
+    [[nodiscard]] double next_place(const RockState& rock) const;
+    [[nodiscard]] std::size_t index_of(double place) const;
+
+    double piece_;         ///< rad, angle between places at which the surface is kept
+    double stiffness_;     ///< N/m
+    double torque_arm_;    ///< m, torque of cutting over its weight
+    double largest_flat_;  ///< N
+    double flat_arm_;      ///< m
+};
+
+}  // namespace drillstrand
