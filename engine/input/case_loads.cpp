@@ -26,12 +26,6 @@ bool is_zero(const VectorSchedule& schedule) {
                        [](const Eigen::Vector3d& value) { return value.isZero(0); });
 }
 
-/// Fails where a key stands that only another choice of a word uses.
-void refuse_key(const Table& table, std::string_view key, std::string_view choice) {
-    if (const std::optional<Value> value = table.find(key))
-        value->fail(fmt::format("has no effect; expected it with {}", choice));
-}
-
 void refuse_head_load(const Table& table, std::string_view key, std::string_view motion) {
     refuse_key(table, key, fmt::format("head.motion = \"{}\"", motion));
 }
@@ -83,6 +77,11 @@ Eigen::Vector3d read_direction(const Value& value) {
 }
 
 }  // namespace
+
+void refuse_key(const Table& table, std::string_view key, std::string_view choice) {
+    if (const std::optional<Value> value = table.find(key))
+        value->fail(fmt::format("has no effect; expected it with {}", choice));
+}
 
 FrictionCoefficients read_friction(const Value& value) {
     if (!value.is_list()) {

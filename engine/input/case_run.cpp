@@ -74,7 +74,6 @@ void check_rates(const Table& table, const EquilibriumCase& equilibrium) {
 }  // namespace
 
 EquilibriumCase read_equilibrium(const Table& root) {
-    constexpr Dimension speed{0, 1, -1};
     const Table table = root.subtable("equilibrium", {"motion", "axial_speed", "rotation"});
     EquilibriumCase equilibrium;
     equilibrium.motion = table.choice<StringMotion>("motion", equilibrium.motion,
@@ -85,7 +84,7 @@ EquilibriumCase read_equilibrium(const Table& root) {
                                                      {"tripping_out", StringMotion::tripping_out},
                                                      {"sliding", StringMotion::sliding}});
     if (const std::optional<Value> value = table.find("axial_speed"))
-        equilibrium.axial_speed = value->quantity(speed, plausible::speed);
+        equilibrium.axial_speed = value->quantity(dimension::speed, plausible::speed);
     if (const std::optional<Value> value = table.find("rotation"))
         equilibrium.rotation = value->quantity(dimension::frequency, plausible::rotation);
     check_rates(table, equilibrium);

@@ -40,6 +40,9 @@ OutputCase read_output(const Table& root, double duration);
 TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
                                 const StringInput& string, double interference);
 
+/// Fails where a key stands that only another choice of a word uses.
+void refuse_key(const Table& table, std::string_view key, std::string_view choice);
+
 /// One coefficient for both directions, or [axial, azimuthal].
 FrictionCoefficients read_friction(const Value& value);
 

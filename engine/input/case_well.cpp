@@ -195,42 +195,6 @@ std::optional<WellCase> read_well(const Table& root, const std::filesystem::path
     return well;
 }
 
-std::optional<FluidCase> read_fluid(const Table& root) {
-    const std::optional<Value> value = root.find("fluid");
-    if (!value) return std::nullopt;
-    const Table table(*value,
-                      {"density", "viscosity", "inside", "drag", "regime", "drag_coefficient",
-                       "contact_drag", "axial_drag", "film", "added_mass"});
-    FluidCase fluid;
-    fluid.density = table.require("density", "a density such as \"10 ppg\"")
-                        .quantity(dimension::density, plausible::density);
-    fluid.drag = table.boolean("drag", fluid.drag);
-    // without a well the fluid is still: it buoys the string and does not drag it
-    const bool drags = fluid.drag && root.find("well");
-    if (drags || table.find("viscosity")) {
-        fluid.viscosity =
-            table.require("viscosity", "a viscosity such as \"1 cP\", or drag = false")
-                .quantity(dimension::viscosity, plausible::viscosity);
-    }
-    fluid.inside = table.choice<InsideOfPipe>(
-        "inside", fluid.inside, {{"fluid", InsideOfPipe::fluid}, {"empty", InsideOfPipe::empty}});
-    fluid.regime = table.choice<FlowRegime>(
-        "regime", fluid.regime,
-        {{"inertial", FlowRegime::inertial}, {"laminar", FlowRegime::laminar}});
-    fluid.drag_coefficient =
-        table.number("drag_coefficient", fluid.drag_coefficient, plausible::drag_coefficient);
-    if (fluid.regime == FlowRegime::laminar)
-        if (const std::optional<Value> unused = table.find("drag_coefficient"))
-            unused->fail("has no effect; expected it with regime = \"inertial\"");
-    fluid.contact_drag = table.boolean("contact_drag", fluid.contact_drag);
-    fluid.axial_drag = table.choice<AxialDrag>(
-        "axial_drag", fluid.axial_drag,
-        {{"eccentric", AxialDrag::eccentric}, {"concentric", AxialDrag::concentric}});
-    fluid.film = table.number("film", fluid.film, {.low = 1e-6, .high = 1, .high_open = true});
-    fluid.added_mass = table.boolean("added_mass", fluid.added_mass);
-    return fluid;
-}
-
 void check_fit(const WellCase& well, const StringInput& input, const HeadCase& head,
                double interference) {
     const double start = well.survey.front().measured_depth;

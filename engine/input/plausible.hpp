@@ -47,5 +47,10 @@ inline constexpr Range duration{.low = 1e-9, .high = 1e9};            // s
 inline constexpr Range duration_or_none{.low = 0, .high = 1e9};       // s
 inline constexpr Range factor{.low = 1e-6, .high = 1e6};              // 1
 inline constexpr Range factor_or_none{.low = 0, .high = 1e6};         // 1
+inline constexpr Range yield_stress{.low = 0, .high = 1e6};           // Pa
+inline constexpr Range consistency{.low = 1e-9, .high = 1e6};         // Pa s^n
+inline constexpr Range flow_index{.low = 0.1, .high = 1};             // 1
+inline constexpr Range flow_rate{.low = 0, .high = 1e3};              // m3/s
+inline constexpr Range area_or_none{.low = 0, .high = 1e3};           // m2
 
 }  // namespace drillstrand::plausible

@@ -79,6 +79,7 @@ constexpr std::array units{
     Unit{"pcf", pound / (foot * foot * foot), dimension::density},
     Unit{"ppf", pound / foot, dimension::linear_density},
     Unit{"gal", gallon, volume},
+    Unit{"gpm", gallon / 60, dimension::flow_rate},
     Unit{"L", 1e-3, volume, true},
     Unit{"l", 1e-3, volume, true},
     Unit{"P", 0.1, dimension::viscosity, true},

@@ -52,8 +52,13 @@ enum class AxialDrag { eccentric, concentric };
 enum class FlowRegime { inertial, laminar };
 
 struct FluidCase {
-    double density = 0;    ///< kg/m3
-    double viscosity = 0;  ///< Pa s
+    double density = 0;       ///< kg/m3
+    double viscosity = 0;     ///< Pa s; of a Herschel-Bulkley fluid its consistency (Pa s^n)
+    double yield_stress = 0;  ///< Pa
+    double flow_index = 1;    ///< n: stress = yield + consistency rate^n
+    double flow_rate = 0;     ///< pumped down the string (m3/s)
+    double nozzle_area = 0;   ///< of the bit (m2); 0: no loss there
+    double trip_speed = 0;    ///< of trips, in statics (m/s); 0: they move no mud
     InsideOfPipe inside = InsideOfPipe::fluid;
     bool drag = true;
     AxialDrag axial_drag = AxialDrag::eccentric;  ///< concentric: the paper
@@ -62,6 +67,8 @@ struct FluidCase {
     double drag_coefficient = 1.0;             ///< of cross flow, inertial regime
     bool contact_drag = true;  ///< a pipe that touches the wall is dragged too; false: the paper
     bool added_mass = true;    ///< fluid moves sideways with the pipe; false: the paper
+
+    [[nodiscard]] bool is_newtonian() const { return yield_stress == 0 && flow_index == 1; }
 };
 
 /// Tool joints of a pipe that is screwed together of pieces of one length. Its ends are joints too.

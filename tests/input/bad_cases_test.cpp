@@ -552,6 +552,44 @@ TEST(BadCases, FrictionThatFallsWithSpeedIsCoulombsOnTheLeapfrogsRod) {
     });
 }
 
+TEST(BadCases, MudInMotionIsOfOneKindAndHasAnnulusAndPump) {
+    const auto fluid = [](const std::string& keys, const std::string& message) {
+        return Mistake{"viscosity = 1e-3", keys, "case.toml:" + message};
+    };
+    expect_messages({
+        fluid("viscosity = 1e-3\nconsistency = 0.5",
+              "10:15: fluid.consistency excludes fluid.viscosity; expected one of the two"),
+        fluid("consistency = \"0.5 Pa s\"",
+              R"(9:15: fluid.consistency is "0.5 Pa s"; expected a number without a unit)"),
+        fluid("consistency = 0.5\nflow_index = 1.5",
+              "10:14: fluid.flow_index is 1.5; expected 0.1 to 1"),
+        fluid("consistency = 0.5\nyield_stress = \"5 Pa s\"",
+              "10:16: fluid.yield_stress: Pa s is a viscosity; expected a pressure such as Pa, "
+              "MPa, GPa, psi"),
+        fluid("viscosity = 1e-3\nyield_stress = 5",
+              "10:16: fluid.yield_stress has no effect; expected it with fluid.consistency"),
+        fluid("viscosity = 1e-3\nflow_rate = \"30 L\"",
+              "10:13: fluid.flow_rate: L is a volume; expected a flow rate such as m3/s, L/min, "
+              "gpm"),
+        fluid("viscosity = 1e-3\nflow_rate = -1",
+              "10:13: fluid.flow_rate is -1; expected 0 to 1000 m3/s"),
+        fluid("viscosity = 0\nflow_rate = 0.03",
+              "10:13: fluid.flow_rate needs friction to lose pressure; expected fluid.viscosity "
+              "above 0"),
+        fluid(
+            "viscosity = 1e-3\ninside = \"empty\"\nflow_rate = 0.03",
+            R"(11:13: fluid.flow_rate goes through a pipe that is empty; expected fluid.inside = "fluid")"),
+        fluid("viscosity = 1e-3\nnozzle_area = 5e-4",
+              "10:15: fluid.nozzle_area has no effect; expected it with fluid.flow_rate"),
+        fluid("viscosity = 1e-3\ndrag = false\nflow_rate = 0.03",
+              "11:13: fluid.flow_rate has no effect; expected it with a well and fluid.drag = "
+              "true"),
+        fluid("viscosity = 0\ntrip_speed = 1",
+              "10:14: fluid.trip_speed needs friction to press on mud; expected fluid.viscosity "
+              "above 0"),
+    });
+}
+
 TEST(BadCases, RollingCreepIsAPartOfTheWay) {
     expect_messages({
         {"duration = 20\n", "duration = 20\n[contact]\nrolling_creep = 1.5\n",

@@ -145,6 +145,14 @@ side_force_window = 9
 survey = "deep.csv"
 tie_in = "vertical"
 diameter = 0.3
+[fluid]
+density = 1000
+consistency = 0.5
+flow_index = 0.7
+yield_stress = 5
+flow_rate = 0.03
+nozzle_area = 5e-4
+trip_speed = 0.5
 [string]
 components = "string.csv"
 [mesh]
