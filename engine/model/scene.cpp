@@ -138,6 +138,7 @@ SceneFeatures features_of(const Case& input, const std::optional<Well>& well,
         const FluidCase& fluid = *input.fluid;
         features.inertial_flow = fluid.drag && fluid.regime == FlowRegime::inertial;
         features.drag = fluid.drag && (fluid.viscosity > 0 || features.inertial_flow);
+        features.flowing_mud = features.drag && (fluid.flow_rate > 0 || !fluid.is_newtonian());
         features.fluid_mass = fluid.added_mass;
     }
     if (input.damping.internal.any() || input.damping.external.any())
@@ -317,6 +318,7 @@ Scene scene_of(const Case& input) {
     scene.head = input.head;
     scene.bit = input.bit;
     scene.local_steps = input.run.local_steps;
+    scene.gravity = input.gravity;
     if (input.well) set_well(scene, *input.well);
 
     const WellCrossSection mouth =

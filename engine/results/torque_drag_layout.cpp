@@ -71,6 +71,18 @@ const std::vector<TorqueDragDataset>& torque_drag_depth_datasets() {
                                       "hook load of a soft string on the axis of the well"),
         at_depths<&C::soft_surface_torque>("soft_surface_torque", "N m",
                                            "surface torque of a soft string"),
+        at_depths<&C::standpipe_pressure>("standpipe_pressure", "Pa",
+                                          "pressure of the mud in the string at its head, above "
+                                          "that of the atmosphere"),
+        at_depths<&C::bit_pressure>("bit_pressure", "Pa",
+                                    "pressure of the mud in the annulus at the bit, above that of "
+                                    "the atmosphere"),
+        at_depths<&C::equivalent_density>("equivalent_density", "kg/m3",
+                                          "density of a fluid at rest with that pressure; 0 "
+                                          "without a fluid"),
+        at_depths<&C::mud_force>("mud_force", "N",
+                                 "force of mud in motion along the string, positive down the "
+                                 "well"),
     };
     return table;
 }
@@ -99,6 +111,15 @@ const std::vector<TorqueDragDataset>& torque_drag_profile_datasets() {
         along<&P::soft_torque>("soft_torque", "N m", "torque of a soft string"),
         along<&P::soft_side_force>("soft_side_force", "N/m",
                                    "normal force of the wall on a soft string per length"),
+        along<&P::inside_pressure>("inside_pressure", "Pa",
+                                   "pressure of the mud in the string, above that of the "
+                                   "atmosphere"),
+        along<&P::outside_pressure>("outside_pressure", "Pa",
+                                    "pressure of the mud in the annulus, above that of the "
+                                    "atmosphere"),
+        along<&P::true_tension>("true_tension", "N",
+                                "axial force in the metal, which pressures make of the buoyed "
+                                "one"),
     };
     return table;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/segment_strain.hpp"
+#include "statics/well_section.hpp"
 
 namespace drillstrand {
 
@@ -21,6 +22,9 @@ Balance::Balance(const Scene& scene, const LoadCase& loads)
             arc_.push_back(guess);
         }
     }
+    mud_ = mud_loads(scene, loads.mud);
+    for (std::size_t k = 0; k < mud_.size(); ++k)
+        mud_[k] *= scene.mesh.cell[k];
 }
 
 /// What rubs at a node, in the section of the well that it is in.
@@ -52,6 +56,16 @@ WallSite Balance::site(const RodState& state, std::size_t node) {
             scene_.normal_stiffness[node] * cell,
             loads_.stiffest_wall * cell,
             friction(node, *around)};
+}
+
+Vector3d Balance::mud_force(const RodState& state, std::size_t node) {
+    const Vector3d& x = state.position[node];
+    return mud_[node] * well_section(x, *arc(node, x)).l;
+}
+
+Eigen::Matrix3d Balance::mud_tangent(const RodState& state, std::size_t node) {
+    const Vector3d& x = state.position[node];
+    return mud_[node] * well_section(x, *arc(node, x)).l_by_position();
 }
 
 BitLoad Balance::bit(const RodState& state) {
@@ -143,6 +157,11 @@ Imbalance Balance::imbalance(const RodState& state) {
         sum.force[k].head<3>() += weight;
         add_energy(-weight.dot(sunk(node)));
         if (!scene_.well) continue;
+        if (!mud_.empty()) {
+            const Vector3d pushed = mud_force(state, node);
+            sum.force[k].head<3>() += pushed;
+            sum.loose[k].head<3>() += pushed;
+        }
         const WallLoad wall = wall_load(site(state, node));
         sum.force[k] += wall.load;
         sum.loose[k].head<3>() += wall.friction;
@@ -174,12 +193,15 @@ void Balance::stiffness(const RodState& state, BlockTridiagonal& matrix) {
         }
         matrix.diagonal[k] -= d.bb;
         if (scene_.well) matrix.diagonal[k] -= wall_tangent(site(state, k + 1));
+        if (!mud_.empty()) matrix.diagonal[k].topLeftCorner<3, 3>() -= mud_tangent(state, k + 1);
     }
     matrix.diagonal.back() -= bit(state).tangent;
 }
 
 double Balance::hook_load(const RodState& state) const {
-    return head_.hook_load(segment_forces(segment(state, 0)).on_a.head<3>(), loads_.bit.time);
+    Vector3d pull = segment_forces(segment(state, 0)).on_a.head<3>();
+    if (!mud_.empty()) pull += mud_.front() * state.director.front();
+    return head_.hook_load(pull, loads_.bit.time);
 }
 
 double Balance::surface_torque(const RodState& state) const {

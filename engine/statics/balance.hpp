@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drillstrand/equilibrium.hpp"
+#include "drillstrand/hydraulics.hpp"
 #include "drillstrand/scene.hpp"
 #include "rod/bit.hpp"
 #include "rod/head.hpp"
@@ -24,6 +25,7 @@ struct LoadCase {
     double stiffest_wall = std::numeric_limits<double>::infinity();
     SteadyMotion motion;
     BitLoadCase bit;
+    MudMotion mud;  ///< as the balance was built with
 };
 
 /// Forces (N) and couples (N m) out of balance on each node but the head, and the energy of those
@@ -84,6 +86,9 @@ class Balance {
     [[nodiscard]] const WellArc* arc(std::size_t node, const Eigen::Vector3d& position);
     [[nodiscard]] FrictionShares friction(std::size_t node, const WellArc& arc) const;
     [[nodiscard]] WallSite site(const RodState& state, std::size_t node);
+    /// Force of mud in motion on a node (N), and its derivative by the node's position.
+    [[nodiscard]] Eigen::Vector3d mud_force(const RodState& state, std::size_t node);
+    [[nodiscard]] Eigen::Matrix3d mud_tangent(const RodState& state, std::size_t node);
     void add_rounding(const RodState& state, std::size_t segment, double pull,
                       Imbalance& sum) const;
 
@@ -91,6 +96,7 @@ class Balance {
     Head head_;
     Bit bit_;
     LoadCase loads_;
+    std::vector<double> mud_;             ///< per node, down the well (N); empty: at rest
     std::vector<Vector6> held_friction_;  ///< per node (N, N m); empty: as the state has it
     std::vector<std::size_t> arc_;        ///< per node, where it was last
 };

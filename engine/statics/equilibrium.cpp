@@ -78,6 +78,10 @@ EquilibriumOptions equilibrium_options(const Case& input) {
     if (wanted.axial_speed) options.motion.axial_speed = *wanted.axial_speed;
     if (wanted.rotation) options.motion.rotation_rate = *wanted.rotation;
     options.bit_loads = bit_is_loaded(wanted.motion);
+    if (input.fluid && wanted.motion == StringMotion::tripping_in)
+        options.trip_speed = input.fluid->trip_speed;
+    if (input.fluid && wanted.motion == StringMotion::tripping_out)
+        options.trip_speed = -input.fluid->trip_speed;
     return options;
 }
 

@@ -15,8 +15,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-LoadCase full_loads(const EquilibriumOptions& options) {
+LoadCase full_loads(const Scene& scene, const EquilibriumOptions& options) {
     LoadCase loads;
+    loads.mud = mud_motion(scene, options.trip_speed);
     loads.motion = options.motion;
     loads.friction = options.motion.is_rest() ? 0.0 : 1.0;
     loads.bit = {options.load_time, options.motion.rotation_rate, options.bit_loads ? 1.0 : 0.0};
@@ -28,7 +29,7 @@ LoadCase full_loads(const EquilibriumOptions& options) {
 EquilibriumSearch::EquilibriumSearch(const Scene& scene, const EquilibriumOptions& options)
     : scene_(scene),
       options_(options),
-      full_(full_loads(options)),
+      full_(full_loads(scene, options)),
       conservative_(bit_is_conservative(Bit(scene), full_.bit)),
       balance_(scene, full_),
       newton_(scene, balance_, options.max_iterations),

@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 /// A length of string of one kind in one arc of the well.
 struct Piece {
     const SoftStretch& stretch;
+    const SoftMud& mud;
     const WellArc& arc;
     FrictionShares friction;
     Vector3d down;
@@ -36,8 +37,9 @@ struct Piece {
     [[nodiscard]] Vector2d growth(double depth, const Vector2d& load) const {
         const ArcSection section = arc_section(arc, depth);
         const double side = side_force(section, load[0]);
-        return {stretch.weight * down.dot(section.direction) - friction.axial * side,
-                friction.azimuthal * stretch.radius * side};
+        return {
+            stretch.weight * down.dot(section.direction) + mud.at(depth) - friction.axial * side,
+            friction.azimuthal * stretch.radius * side};
     }
 
     /// The load one step of length h further up.
@@ -72,12 +74,22 @@ Piece piece_at(const SoftString& string, const Well& well, double depth) {
         std::find_if(string.stretches.begin(), string.stretches.end() - 1,
                      [&](const SoftStretch& candidate) { return depth < candidate.to; });
     const WellArc& arc = well.arcs()[well.arc_at(depth)];
-    return {*stretch, arc,
+    return {*stretch, string.mud, arc,
             friction_shares(string.friction[arc.section], string.motion, stretch->radius),
             string.down};
 }
 
 }  // namespace
+
+double SoftMud::at(double measured_depth) const {
+    if (depth.empty()) return 0;
+    const auto below = std::upper_bound(depth.begin(), depth.end(), measured_depth);
+    if (below == depth.begin()) return load.front();
+    if (below == depth.end()) return load.back();
+    const auto k = static_cast<std::size_t>(below - depth.begin());
+    const double share = (measured_depth - depth[k - 1]) / (depth[k] - depth[k - 1]);
+    return load[k - 1] + share * (load[k] - load[k - 1]);
+}
 
 SoftProfile solve_soft_string(const SoftString& string, const Well& well,
                               const std::vector<double>& depths, double step) {

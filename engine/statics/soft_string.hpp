@@ -25,8 +25,18 @@ struct SoftLoad {
     double torque = 0;   ///< that the part above exerts on the part below, about the string (N m)
 };
 
+/// Force of mud in motion on the string (N/m, down the well) at measured depths (m), linear
+/// between; empty: none.
+struct SoftMud {
+    std::vector<double> depth;  ///< ascending
+    std::vector<double> load;
+
+    [[nodiscard]] double at(double measured_depth) const;
+};
+
 struct SoftString {
-    std::vector<SoftStretch> stretches;          ///< head to bit, without gaps
+    std::vector<SoftStretch> stretches;  ///< head to bit, without gaps
+    SoftMud mud;
     std::vector<FrictionCoefficients> friction;  ///< dynamic, of each section of the well
     SteadyMotion motion;
     SoftLoad at_bit;

@@ -13,6 +13,7 @@
 
 #include "drillstrand/equilibrium.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/hydraulics.hpp"
 #include "drillstrand/side_force.hpp"
 #include "model/survey.hpp"
 #include "statics/arc_section.hpp"
@@ -28,6 +29,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// What the cross section of a segment makes of its loads, and how it lies.
 struct Site {
     double area = 0;             ///< of metal (m2)
+    double inner_area = 0;       ///< of the bore (m2)
+    double outer_area = 0;       ///< of the outer circle (m2)
     double section_modulus = 0;  ///< I / R (m3)
     BucklingLimits limits;
 };
@@ -45,6 +48,10 @@ struct Answer {
     double hook_load = nan;
     double surface_torque = nan;
     double neutral_point = nan;
+    double standpipe_pressure = 0;
+    double bit_pressure = 0;
+    double equivalent_density = 0;
+    double mud_force = 0;
     BucklingState buckling = BucklingState::unknown;
     SoftLoad soft;
     TorqueDragProfile profile;
@@ -77,6 +84,8 @@ Site site_at(const Case& input, const Scene& scene, double s) {
     site.area =
         std::numbers::pi / 4 *
         (pipe.outer_diameter * pipe.outer_diameter - pipe.inner_diameter * pipe.inner_diameter);
+    site.inner_area = inner_area(section);
+    site.outer_area = section.outer_area;
     site.section_modulus = second_moment / section.outer_radius;
     site.limits = buckling_limits(
         {.bending_stiffness = section.bending_stiffness,
@@ -139,6 +148,34 @@ void describe_soft(const TrippedString& string, const SoftProfile& soft,
         profile.soft_torque.push_back(load.torque);
     }
     profile.soft_side_force = soft.side_force;
+}
+
+/// Pressures of the mud in motion, and the tension of the metal that they make of the effective
+/// one.
+void describe_mud(const TrippedString& string, const MudMotion& motion, Answer& answer) {
+    const Scene& scene = string.scene;
+    if (!scene.fluid) {
+        const std::vector<double> none(string.sites.size(), 0);
+        answer.profile.inside_pressure = answer.profile.outside_pressure = none;
+        answer.profile.true_tension = answer.profile.tension;
+        return;
+    }
+    const Hydraulics mud = hydraulics_of(scene, motion);
+    answer.standpipe_pressure = mud.standpipe_pressure;
+    answer.bit_pressure = mud.bit_pressure;
+    answer.equivalent_density = mud.equivalent_density;
+    answer.mud_force = mud.axial_force;
+    for (std::size_t k = 0; k < string.sites.size(); ++k) {
+        const Site& site = string.sites[k];
+        const double inside = 0.5 * (mud.inside_pressure[k] + mud.inside_pressure[k + 1]);
+        const double outside = 0.5 * (mud.outside_pressure[k] + mud.outside_pressure[k + 1]);
+        const double momentum =
+            scene.fluid->density * motion.flow_rate * motion.flow_rate / site.inner_area;
+        answer.profile.inside_pressure.push_back(inside);
+        answer.profile.outside_pressure.push_back(outside);
+        answer.profile.true_tension.push_back(answer.profile.tension[k] + inside * site.inner_area +
+                                              momentum - outside * site.outer_area);
+    }
 }
 
 /// A tension somewhere along the string.
@@ -208,6 +245,7 @@ class Tripping {
             result.failure = error.what();
             leave_open(result.profile);
         }
+        describe_mud(string_, mud_motion(string_.scene, options.trip_speed), result);
         return result;
     }
 
@@ -219,6 +257,7 @@ class Tripping {
 
     const InitialNodes& off_bottom(EquilibriumOptions options) {
         options.motion = {};
+        options.trip_speed = 0;
         options.bit_loads = false;
         if (!off_bottom_) off_bottom_ = find_equilibrium(string_.scene, options).nodes;
         return *off_bottom_;
@@ -226,6 +265,7 @@ class Tripping {
 
     const InitialNodes& on_bottom(EquilibriumOptions options) {
         options.motion = {};
+        options.trip_speed = 0;
         if (on_bottom_) return *on_bottom_;
         try {
             on_bottom_ = find_equilibrium(string_.scene, options).nodes;
@@ -304,6 +344,10 @@ void append(TorqueDragCurve& curve, double bit_depth, Answer answer) {
     curve.surface_torque.push_back(answer.surface_torque);
     curve.neutral_point.push_back(answer.neutral_point);
     curve.buckling.push_back(answer.buckling);
+    curve.standpipe_pressure.push_back(answer.standpipe_pressure);
+    curve.bit_pressure.push_back(answer.bit_pressure);
+    curve.equivalent_density.push_back(answer.equivalent_density);
+    curve.mud_force.push_back(answer.mud_force);
     curve.soft_hook_load.push_back(answer.soft.tension);
     curve.soft_surface_torque.push_back(answer.soft.torque);
     if (answer.failure) curve.failures.push_back({bit_depth, *answer.failure});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drillstrand/hydraulics.hpp"
 #include "rod/bit.hpp"
 
 namespace drillstrand {
@@ -59,6 +60,17 @@ SoftLoad load_at_bit(const Scene& scene, double bit_depth, const EquilibriumOpti
     return {stress[3], -stress[0]};
 }
 
+/// Mud in motion along the string; the jets push on its end.
+void set_mud(SoftString& string, const Scene& scene, const MudMotion& motion) {
+    if (motion.is_rest()) return;
+    const Hydraulics mud = hydraulics_of(scene, motion);
+    for (const double s : scene.mesh.node_s)
+        string.mud.depth.push_back(scene.well->measured_depth_start() + s);
+    string.mud.load = mud.axial_load;
+    string.mud.load.back() += mud.jet_force / scene.mesh.cell.back();
+    string.at_bit.tension -= mud.jet_force;
+}
+
 }  // namespace
 
 Case case_at_depth(const Case& input, double bit_depth) {
@@ -113,6 +125,7 @@ SoftString soft_string(const Case& at_depth, const Scene& scene,
     result.motion = options.motion;
     result.at_bit = load_at_bit(scene, depth, options);
     result.down = scene.down;
+    set_mud(result, scene, mud_motion(scene, options.trip_speed));
     return result;
 }
 

@@ -34,6 +34,9 @@ bool bit_is_loaded(StringMotion motion);
 
 struct EquilibriumOptions {
     SteadyMotion motion;
+    /// Of a string that is tripped, down the well (m/s): it pushes mud aside, and the pump stands
+    /// still. 0: it pushes none, and the pump runs.
+    double trip_speed = 0;
     bool bit_loads = true;  ///< false: nothing acts on the bit
     /// Schedules of loads are read at this time (s); their end by default.
     double load_time = std::numeric_limits<double>::infinity();

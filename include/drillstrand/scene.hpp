@@ -24,6 +24,7 @@ struct SceneFeatures {
     bool well = false;           ///< contact and friction
     bool drag = false;           ///< annular fluid drag
     bool inertial_flow = false;  ///< of which the fluid's inertia is part
+    bool flowing_mud = false;    ///< it is pumped, or its viscosity depends on the rate of shear
     bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
     bool varied_wall = false;    ///< friction, firmness or diameter of the wall vary along the well
     Damping damping = Damping::none;
@@ -72,6 +73,7 @@ struct Scene {
     HeadCase head;
     BitCase bit;
     Eigen::Vector3d down{0, 0, 1};  ///< direction of gravity
+    double gravity = 0;             ///< m/s2
 
     /// Initial pose of the head; d3, d1, d2 in the columns of the frame.
     Eigen::Vector3d head_position = Eigen::Vector3d::Zero();

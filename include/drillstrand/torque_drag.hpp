@@ -15,7 +15,7 @@ enum class BucklingState { unknown = -1, none, sinusoidal, helical };
 
 /// The string at one depth of the bit: one value per segment, at its middle, head to bit.
 struct TorqueDragProfile {
-    std::vector<double> tension;           ///< axial force; compression negative (N)
+    std::vector<double> tension;           ///< axial force, buoyed; compression negative (N)
     std::vector<double> torque;            ///< that the part above exerts on the part below (N m)
     std::vector<double> side_force;        ///< of the wall, normal (N/m)
     std::vector<double> bending_stress;    ///< at the outer fibre (Pa)
@@ -23,6 +23,9 @@ struct TorqueDragProfile {
     std::vector<double> sinusoidal_limit;  ///< compression at which the string snakes (N)
     std::vector<double> helical_limit;     ///< compression at which it winds up (N)
     std::vector<BucklingState> buckling;   ///< tension against these limits
+    std::vector<double> inside_pressure;   ///< of the mud, above that of the atmosphere (Pa)
+    std::vector<double> outside_pressure;  ///< likewise (Pa)
+    std::vector<double> true_tension;      ///< axial force in the metal (N)
     std::vector<double> soft_tension;      ///< N
     std::vector<double> soft_torque;       ///< N m
     std::vector<double> soft_side_force;   ///< N/m
@@ -43,7 +46,12 @@ struct TorqueDragCurve {
     /// Measured depth above which the whole string is in tension (m): where tension ends, going
     /// down, or the bit.
     std::vector<double> neutral_point;
-    std::vector<BucklingState> buckling;      ///< the worst along the string
+    std::vector<BucklingState> buckling;     ///< the worst along the string
+    std::vector<double> standpipe_pressure;  ///< Pa
+    std::vector<double> bit_pressure;        ///< of the mud in the annulus, at the bit (Pa)
+    /// Of a fluid at rest with that pressure (kg/m3); 0 without a fluid.
+    std::vector<double> equivalent_density;
+    std::vector<double> mud_force;            ///< of mud in motion on the string, downward (N)
     std::vector<double> soft_hook_load;       ///< N
     std::vector<double> soft_surface_torque;  ///< N m
     TorqueDragProfile profile;                ///< at the last depth

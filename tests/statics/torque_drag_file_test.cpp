@@ -132,17 +132,23 @@ TEST_F(TorqueDragFile, TablesHaveAColumnForEveryMotionAndQuantity) {
               "tripping_out_hook_load[N],tripping_out_surface_torque[N m],"
               "tripping_out_neutral_point[m],tripping_out_buckling,"
               "tripping_out_soft_hook_load[N],tripping_out_soft_surface_torque[N m],"
+              "tripping_out_standpipe_pressure[Pa],tripping_out_bit_pressure[Pa],"
+              "tripping_out_equivalent_density[kg/m3],tripping_out_mud_force[N],"
               "drilling_hook_load[N],drilling_surface_torque[N m],"
               "drilling_neutral_point[m],drilling_buckling,"
-              "drilling_soft_hook_load[N],drilling_soft_surface_torque[N m]\n"
-              "100,1001,1003,1005,-1,1007,1009,2001,2003,2005,-1,2007,2009\n"
-              "200,1002,1004,1006,2,1008,1010,2002,2004,2006,2,2008,2010\n");
+              "drilling_soft_hook_load[N],drilling_soft_surface_torque[N m],"
+              "drilling_standpipe_pressure[Pa],drilling_bit_pressure[Pa],"
+              "drilling_equivalent_density[kg/m3],drilling_mud_force[N]\n"
+              "100,1001,1003,1005,-1,1007,1009,1011,1013,1015,1017,"
+              "2001,2003,2005,-1,2007,2009,2011,2013,2015,2017\n"
+              "200,1002,1004,1006,2,1008,1010,1012,1014,1016,1018,"
+              "2002,2004,2006,2,2008,2010,2012,2014,2016,2018\n");
     write_torque_drag_profile_table(path("profile.csv"), result.study);
     EXPECT_THAT(text("profile.csv"), testing::StartsWith("measured_depth[m],"
                                                          "tripping_out_tension[N],"
                                                          "tripping_out_torque[N m],"
                                                          "tripping_out_side_force[N/m],"));
-    EXPECT_THAT(text("profile.csv"), HasSubstr("\n185,1012,1015,1018,"));
+    EXPECT_THAT(text("profile.csv"), HasSubstr("\n185,1020,1023,1026,"));
 }
 
 TEST_F(TorqueDragFile, SomethingElseIsRefused) {

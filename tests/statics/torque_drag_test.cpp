@@ -146,6 +146,91 @@ TEST(TorqueDrag, InCasingAndOpenHoleHasTheFrictionOfEach) {
                  slope * 2000 + press * 0.2 * 2000, 1e-9);
 }
 
+/// Mud of a well by its pump; without friction.
+Case pumped(double depth) {
+    Case input = case_in(vertical(depth), 0);
+    input.fluid->viscosity = 0.4;
+    input.fluid->flow_index = 0.7;
+    input.fluid->yield_stress = 4;
+    input.fluid->flow_rate = 0.03;
+    input.fluid->nozzle_area = 4e-4;
+    input.torque_drag.depths = {depth};
+    return input;
+}
+
+TEST(TorqueDrag, MudInMotionLiftsTheStringByTheForceThatIsTold) {
+    const TorqueDragCurve rotating = curve(compute_torque_drag(pumped(1000)), Motion::rotating);
+    EXPECT_LT(rotating.mud_force[0], -1000 * 0.03 * 0.03 / 4e-4);  // of the jets alone
+    const double expected = 1000 * pipe_weight + rotating.mud_force[0];
+    expect_close(rotating.hook_load[0], expected, 1e-9);
+    expect_close(rotating.soft_hook_load[0], expected, 1e-6);
+    // the pump's pressure and the column
+    expect_close(rotating.bit_pressure[0], rotating.equivalent_density[0] * 9.81 * 1000, 1e-9);
+    EXPECT_GT(rotating.bit_pressure[0], 1000 * 9.81 * 1000);
+    EXPECT_GT(rotating.standpipe_pressure[0], rotating.bit_pressure[0] - 1000 * 9.81 * 1000);
+}
+
+// Balance of the metal from the bit up: pressure and jets on its end, its weight, shear of both
+// flows on its walls.
+TEST(TorqueDrag, TrueTensionIsWhatPressuresAndShearOnTheMetalMakeIt) {
+    const Case input = pumped(1000);
+    const TorqueDrag study = compute_torque_drag(input);
+    const TorqueDragCurve& rotating = curve(study, Motion::rotating);
+    const TorqueDragProfile& profile = rotating.profile;
+    constexpr double outer = std::numbers::pi * 0.07 * 0.07;
+    constexpr double inner = std::numbers::pi * 0.06 * 0.06;
+    const auto loss = [&](const std::vector<double>& pressure) {  // beside the column's
+        const std::size_t last = pressure.size() - 1;
+        return (pressure[last] - pressure[0]) /
+                   (study.measured_depth[last] - study.measured_depth[0]) -
+               1000 * 9.81;
+    };
+    const double inside = -loss(profile.inside_pressure);
+    const double annulus = loss(profile.outside_pressure);
+    const double speed = 0.03 / inner;
+    const double jet = 0.03 / 4e-4;
+    const double bit_loss = 500 * jet * jet / (0.95 * 0.95);
+    const double end = (rotating.bit_pressure[0] + bit_loss) * inner -
+                       rotating.bit_pressure[0] * outer + 1000 * 0.03 * (speed - jet);
+    const double shear = annulus * (0.11 - 0.07) / 2 * 2 * std::numbers::pi * 0.07;
+    const double per_length = 31.8557 * 9.81 + inside * inner - shear;
+    for (const std::size_t k : {std::size_t{0}, profile.tension.size() / 2}) {
+        const double expected = end + per_length * (1000 - study.measured_depth[k]);
+        expect_close(profile.true_tension[k], expected, 1e-6);
+    }
+}
+
+TEST(TorqueDrag, TripsPushMudAside) {
+    Case input = pumped(1000);
+    input.fluid->trip_speed = 0.5;
+    const TorqueDrag study = compute_torque_drag(input);
+    const TorqueDragCurve& in = curve(study, Motion::tripping_in);
+    const TorqueDragCurve& out = curve(study, Motion::tripping_out);
+    // surge lifts, swab holds, by as much; the pump stands still
+    EXPECT_LT(in.mud_force[0], 0);
+    expect_close(out.mud_force[0], -in.mud_force[0], 1e-9);
+    for (const TorqueDragCurve* trip : {&in, &out}) {
+        expect_close(trip->hook_load[0], 1000 * pipe_weight + trip->mud_force[0], 1e-9);
+        expect_close(trip->soft_hook_load[0], 1000 * pipe_weight + trip->mud_force[0], 1e-6);
+    }
+    expect_close(in.bit_pressure[0] + out.bit_pressure[0], 2 * 1000 * 9.81 * 1000, 1e-9);
+    EXPECT_GT(in.equivalent_density[0], 1000);
+    EXPECT_LT(curve(study, Motion::rotating).mud_force[0], 0);
+}
+
+TEST(TorqueDrag, MudInMotionInABentWellLiftsStiffAndSoftStringAlike) {
+    Case input = build_and_hold(0.2);
+    const double at_rest =
+        curve(compute_torque_drag(input), Motion::tripping_out).hook_load.front();
+    input.fluid->viscosity = 0.4;
+    input.fluid->flow_index = 0.7;
+    input.fluid->flow_rate = 0.03;
+    const TorqueDragCurve out = curve(compute_torque_drag(input), Motion::tripping_out);
+    expect_close(out.hook_load.front(), out.soft_hook_load.front(), 0.01);
+    // less tension presses less in the bend: friction adds to the lift
+    EXPECT_LT(out.hook_load.front(), at_rest + out.mud_force.front());
+}
+
 // A casing shoe at 1200 m, with a node on it and one in its shoulder.
 TEST(TorqueDrag, OverAShoeThatNodesStandOnIsFound) {
     Case input = build_and_hold(0.2);

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/hydraulics.hpp"
 #include "drillstrand/scene.hpp"
 #include "drillstrand/simulation.hpp"
 #include "drillstrand/units.hpp"
@@ -172,14 +173,41 @@ void print_well(const Case& input, const Scene& scene) {
                      scene.mesh.node_s[static_cast<std::size_t>(tightest - gaps.begin())]));
 }
 
+std::string rheology_text(const FluidCase& fluid) {
+    if (fluid.is_newtonian())
+        return fmt::format("{:.4g} Pa s ({:.4g} cP)", fluid.viscosity,
+                           fluid.viscosity / unit_factor("cP", dimension::viscosity));
+    return fmt::format("{:.4g} Pa + {:.4g} Pa s^n rate^{:.4g}", fluid.yield_stress, fluid.viscosity,
+                       fluid.flow_index);
+}
+
+/// Pressures of the pumped mud, with the string where it lies.
+void print_hydraulics(const Scene& scene) {
+    const MudMotion motion = mud_motion(scene);
+    if (motion.is_rest()) return;
+    const Hydraulics flow = hydraulics_of(scene, motion);
+    line("pump", fmt::format("{:.4g} L/min ({:.4g} gpm), {:.4g} MPa at the standpipe",
+                             motion.flow_rate / unit_factor("L/min", dimension::flow_rate),
+                             motion.flow_rate / unit_factor("gpm", dimension::flow_rate),
+                             flow.standpipe_pressure / megapascal()));
+    line("pressure losses",
+         fmt::format("{:.4g} MPa inside ({:.0f} % turbulent), {:.4g} at the bit, {:.4g} in the "
+                     "annulus ({:.0f} % turbulent)",
+                     flow.inside_loss / megapascal(), 100 * flow.turbulent_inside,
+                     flow.bit_loss / megapascal(), flow.annulus_loss / megapascal(),
+                     100 * flow.turbulent_annulus));
+    line("mud at the bit", fmt::format("{:.4g} MPa, equivalent to {:.5g} kg/m3; the flow lifts the "
+                                       "string by {}",
+                                       flow.bit_pressure / megapascal(), flow.equivalent_density,
+                                       force_text(-flow.axial_force)));
+}
+
 void print_fluid(const Scene& scene) {
     if (!scene.fluid) return;
     line("fluid",
-         fmt::format("{:.5g} kg/m3 ({:.4g} ppg), {:.4g} Pa s ({:.4g} cP), {} the pipe, {}",
-                     scene.fluid->density,
+         fmt::format("{:.5g} kg/m3 ({:.4g} ppg), {}, {} the pipe, {}", scene.fluid->density,
                      scene.fluid->density / unit_factor("ppg", dimension::density),
-                     scene.fluid->viscosity,
-                     scene.fluid->viscosity / unit_factor("cP", dimension::viscosity),
+                     rheology_text(*scene.fluid),
                      scene.fluid->inside == InsideOfPipe::fluid ? "also inside" : "not inside",
                      scene.features.drag ? "with drag" : "buoyancy only"));
     if (scene.features.drag)
@@ -189,6 +217,7 @@ void print_fluid(const Scene& scene) {
                                                   scene.fluid->drag_coefficient)
                                     : "creeping",
                                 scene.fluid->contact_drag ? ", also in contact" : ""));
+    print_hydraulics(scene);
     if (scene.features.fluid_mass) {
         double pipe = 0;
         double sideways = 0;

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/hydraulics.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/scene.hpp"
 #include "messages.hpp"
@@ -97,10 +98,20 @@ void print_contact(const Scene& scene, const Equilibrium& found) {
          *worst_node / kilonewton_per_metre(), place_of(side, worst_node));
 }
 
+void print_mud(const Scene& scene, double trip_speed) {
+    const MudMotion motion = mud_motion(scene, trip_speed);
+    if (motion.is_rest()) return;
+    const Hydraulics mud = hydraulics_of(scene, motion);
+    line("mud", "{:.4g} MPa at the standpipe, {:.4g} MPa at the bit ({:.5g} kg/m3), lift {:.6g} kN",
+         mud.standpipe_pressure / megapascal(), mud.bit_pressure / megapascal(),
+         mud.equivalent_density, in(kilonewton(), -mud.axial_force));
+}
+
 void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium& found,
-                       const SteadyMotion& motion, double seconds) {
+                       const EquilibriumOptions& options, double seconds) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
-    line("motion", "{}", motion_text(input.equilibrium.motion, motion, found.series.weight_on_bit));
+    line("motion", "{}",
+         motion_text(input.equilibrium.motion, options.motion, found.series.weight_on_bit));
     line("hook load", "{:.9g} kN", in(kilonewton(), found.hook_load));
     line("head torque", "{:.6g} kN m", in(kilonewton_metre(), found.surface_torque));
     line("head stress", "{:.9g} kN axial, {:.6g} kN m twist, in the first segment",
@@ -114,6 +125,7 @@ void print_equilibrium(const Case& input, const Scene& scene, const Equilibrium&
          vector_text(kilonewton_metre(), found.bit_couple));
     const Eigen::Vector3d& bit = found.series.bit_position;
     line("bit position", "({:.9f}, {:.9f}, {:.9f}) m", bit.x(), bit.y(), bit.z());
+    print_mud(scene, options.trip_speed);
     print_contact(scene, found);
     line("search", "{} iterations in {}, {:.2g} N out of balance", found.iterations,
          duration_text(seconds), found.residual);
@@ -152,7 +164,7 @@ int equilibrium(const EquilibriumCommand& command) {
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!command.output.empty()) write(command, input, scene, found, seconds);
-    print_equilibrium(input, scene, found, options.motion, seconds);
+    print_equilibrium(input, scene, found, options, seconds);
     for (const std::string& warning : found.warnings)
         say("drillstrand: warning: {}\n", warning);
     return done;

@@ -120,6 +120,27 @@ void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurv
     fmt::print("\n");
 }
 
+/// Pressures and forces of mud that is pumped or pushed aside.
+void print_mud(const Case& input, const TorqueDrag& study) {
+    if (!input.fluid || (input.fluid->flow_rate == 0 && input.fluid->trip_speed == 0)) return;
+    fmt::print("  mud: standpipe (MPa), at the bit (MPa), equivalent density (kg/m3), lift (kN)\n");
+    fmt::print("  {:>13}", "");
+    for (const TorqueDragCurve& curve : study.curves)
+        fmt::print("  {:^32}", motion_words(curve.motion));
+    fmt::print("\n  {:>13}\n", "bit depth (m)");
+    for (std::size_t i = 0; i < study.bit_depth.size(); ++i) {
+        fmt::print("  {:>13.2f}", study.bit_depth[i]);
+        for (const TorqueDragCurve& curve : study.curves)
+            fmt::print("  {:>7} {:>7} {:>8} {:>7}",
+                       number(curve.standpipe_pressure[i], megapascal(), 3),
+                       number(curve.bit_pressure[i], megapascal(), 3),
+                       number(curve.equivalent_density[i], 1, 1),
+                       number(-curve.mud_force[i], kilonewton(), 2));
+        fmt::print("\n");
+    }
+    fmt::print("\n");
+}
+
 std::vector<const TorqueDragCurve*> all_of(const TorqueDrag& study) {
     std::vector<const TorqueDragCurve*> curves;
     for (const TorqueDragCurve& curve : study.curves)
@@ -249,6 +270,7 @@ int torque_drag(const TorqueDragCommand& command) {
     print_table(study, all_of(study), hook_load);
     if (!turning_of(study).empty()) print_table(study, turning_of(study), surface_torque);
     print_legend(study);
+    print_mud(input, study);
     print_last_depth(study);
     print_failures(study);
     return found_something(study) ? done : simulation_failed;

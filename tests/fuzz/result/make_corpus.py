@@ -16,9 +16,11 @@ SERIES = {"head_stress": (6,), "bit_stress": (6,), "head_position": (3,), "bit_p
 NUMBERS = ["head_rotation_rate", "bit_rotation_rate", "kinetic_energy", "elastic_energy",
            "potential_energy", "work", "dissipation", "step_size", "time_error", "max_penetration"]
 COUNTS = ["contact_nodes", "impacts", "contact_changes", "slips"]
-DEPTHS = ["hook_load", "surface_torque", "neutral_point", "soft_hook_load", "soft_surface_torque"]
+DEPTHS = ["hook_load", "surface_torque", "neutral_point", "soft_hook_load", "soft_surface_torque",
+          "standpipe_pressure", "bit_pressure", "equivalent_density", "mud_force"]
 ALONG = ["tension", "torque", "side_force", "bending_stress", "von_mises_stress", "sinusoidal_limit",
-         "helical_limit", "soft_tension", "soft_torque", "soft_side_force"]
+         "helical_limit", "soft_tension", "soft_torque", "soft_side_force", "inside_pressure",
+         "outside_pressure", "true_tension"]
 
 
 def numbers(*shape):
