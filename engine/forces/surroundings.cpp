@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drillstrand/hydraulics.hpp"
 #include "forces/added_mass.hpp"
 #include "forces/fluid.hpp"
 
@@ -78,6 +79,8 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     if (scene.fluid) {
         p.density = scene.fluid->density;
         p.viscosity = scene.fluid->viscosity;
+        p.thinning = {scene.fluid->viscosity, scene.fluid->yield_stress,
+                      0.5 * (1 - scene.fluid->flow_index)};
         p.inertial_flow = scene.features.inertial_flow;
         p.contact_drag = scene.fluid->contact_drag;
         p.drag_coefficient = scene.fluid->drag_coefficient;
@@ -104,6 +107,22 @@ Surroundings::Surroundings(const Scene& scene, Level level)
         if (!scene.features.fluid_mass) continue;
         constants_.row(inside)[k] = fluid_inside(scene.mesh.node[k], *scene.fluid);
         constants_.row(displaced)[k] = fluid_displaced(scene.mesh.node[k], *scene.fluid);
+    }
+    if (scene.features.flowing_mud) set_mud_in_motion(scene);
+}
+
+void Surroundings::set_mud_in_motion(const Scene& scene) {
+    const Hydraulics mud = hydraulics_of(scene, mud_motion(scene));
+    const double index = scene.fluid->flow_index;
+    for (std::size_t k = 0; k < nodes_; ++k) {
+        const double inner = mud.pipe_radius[k];
+        const double outer = mud.hole_radius[k];
+        const auto set = [&](Row row, double value) { constants_.row(row)[k] = value; };
+        set(mud_load, mud.axial_load[k]);
+        set(mud_speed, mud.annulus_speed[k]);
+        set(mud_shear, mud.annulus_shear[k]);
+        set(axial_thinning, drillstrand::axial_thinning(index, inner, outer));
+        set(spin_thinning, drillstrand::spin_thinning(index, inner, outer));
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "drillstrand/isa.hpp"
 #include "drillstrand/scene.hpp"
+#include "forces/apparent_viscosity.hpp"
 #include "forces/contact.hpp"
 #include "forces/well_frame.hpp"
 #include "numerics/block_table.hpp"
@@ -23,6 +24,7 @@ struct SurroundingsParameters {
     FrictionParameters friction{};
     double density = 0;    ///< kg/m3
     double viscosity = 0;  ///< Pa s
+    Thinning thinning{};   ///< of mud that flows
     double film = 0;
     double drag_coefficient = 0;  ///< of cross flow; 0 where the flow has no inertia
     bool inertial_flow = false;
@@ -58,6 +60,11 @@ class Surroundings {
         damping,    // eta_el (Pa s)
         inside,     // fluid in the pipe that moves sideways with it (kg/m)
         displaced,  // fluid that the pipe displaces, rho pi R^2, where it has an added mass (kg/m)
+        mud_load,   // of mud in motion on the node, down the well (N/m), here and below as it
+        mud_speed,  // lies at the start; mean speed of what is pumped, up the annulus (m/s)
+        mud_shear,  // its rate of shear on the pipe (1/s)
+        axial_thinning,  // rates at the wall over those of a Newtonian fluid, sliding
+        spin_thinning,   // and turning
         rows
     };
 
@@ -116,6 +123,7 @@ class Surroundings {
                                             const Eigen::Vector3d& elsewhere) const;
 
   private:
+    void set_mud_in_motion(const Scene& scene);
     [[nodiscard]] std::size_t arc(const Table<WallRow>& wall, std::size_t node) const {
         return static_cast<std::size_t>(wall.row(WallRow::arc)[node]);
     }

@@ -34,6 +34,11 @@ struct WallRows {
           body(surroundings.row(Surroundings::body) + first),
           inside(surroundings.row(Surroundings::inside) + first),
           displaced(surroundings.row(Surroundings::displaced) + first),
+          mud_load(surroundings.row(Surroundings::mud_load) + first),
+          mud_speed(surroundings.row(Surroundings::mud_speed) + first),
+          mud_shear(surroundings.row(Surroundings::mud_shear) + first),
+          axial_thinning(surroundings.row(Surroundings::axial_thinning) + first),
+          spin_thinning(surroundings.row(Surroundings::spin_thinning) + first),
           dashpot(wall.row(WallRow::damping) + first),
           elongation_axial(wall.row(WallRow::elongation_axial) + first),
           elongation_azimuthal(wall.row(WallRow::elongation_azimuthal) + first),
@@ -51,7 +56,9 @@ struct WallRows {
     const double *curvature = nullptr, *hole = nullptr, *stiffness = nullptr, *end_cosine = nullptr,
                  *reach = nullptr, *concentric_axial = nullptr, *cross_flow = nullptr,
                  *swirl = nullptr, *swirl_reynolds = nullptr, *stream = nullptr, *pipe = nullptr,
-                 *body = nullptr, *inside = nullptr, *displaced = nullptr, *dashpot = nullptr;
+                 *body = nullptr, *inside = nullptr, *displaced = nullptr, *mud_load = nullptr,
+                 *mud_speed = nullptr, *mud_shear = nullptr, *axial_thinning = nullptr,
+                 *spin_thinning = nullptr, *dashpot = nullptr;
     double *elongation_axial = nullptr, *elongation_azimuthal = nullptr, *sliding = nullptr,
            *depth = nullptr, *normal = nullptr, *slip_axial = nullptr, *slip_azimuthal = nullptr,
            *rolling = nullptr, *fluid_mass = nullptr, *leaves = nullptr, *rebounds = nullptr;
@@ -61,6 +68,9 @@ struct WallRows {
     }
     DRILLSTRAND_INLINE FlowInertia flow(std::size_t k) const {
         return {cross_flow[k], swirl[k], swirl_reynolds[k], stream[k]};
+    }
+    DRILLSTRAND_INLINE MudAround mud(std::size_t k) const {
+        return {mud_load[k], mud_speed[k], mud_shear[k], axial_thinning[k], spin_thinning[k]};
     }
     DRILLSTRAND_INLINE double flow_radius_at(std::size_t k) const {
         return flow_radius(body[k], hole[k]);

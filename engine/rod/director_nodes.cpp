@@ -13,8 +13,8 @@ namespace drillstrand {
 namespace {
 
 /// What surrounds the nodes, as far as a kernel has to know. Mud drags as in creeping flow,
-/// streaming mud by its inertia as well.
-enum class Around { nothing, wall, mud, streaming_mud };
+/// streaming mud by its inertia as well, flowing mud thins, yields or is pumped besides.
+enum class Around { nothing, wall, mud, streaming_mud, flowing_mud };
 
 /// Of nodes in a well: the velocity and the spin after the rod's forces and the damping (`v`, `s`)
 /// and after the rod's alone (`v_rod`, `s_rod`), r and l of the well frame, the velocity in it
@@ -213,6 +213,7 @@ struct WellNodes {
           drift(drift_s),
           external_damping(model.external_damping),
           friction(model.surroundings.parameters().friction),
+          thinning(model.surroundings.parameters().thinning),
           least_normal(model.surroundings.parameters().least_normal),
           restitution(model.surroundings.parameters().restitution),
           viscosity(model.surroundings.parameters().viscosity),
@@ -227,6 +228,7 @@ struct WellNodes {
     double kick, drift;
     DampingPair external_damping;
     FrictionParameters friction;
+    Thinning thinning;
     double least_normal, restitution, viscosity, film, wet_in_contact, eccentric_axial;
 
     /// D_ex, which is implicit, takes its part of what walls and mud give: without that a node at
@@ -441,11 +443,12 @@ struct WellNodes {
                 h.annulus_distance[k]};
     }
 
-    /// What creeping flow does to it.
+    /// What creeping flow does to it, of mud that flows per unit viscosity.
+    template <Around around>
     DRILLSTRAND_INLINE void creep(std::size_t k) const {
         DragCoefficients drag = drag_coefficients(annulus(k));
         drag.axial = eccentric_axial * drag.axial + wall.concentric_axial[k];
-        drag = scaled(drag, viscosity);
+        if constexpr (around != Around::flowing_mud) drag = scaled(drag, viscosity);
         h.drag_radial[k] = drag.radial;
         h.drag_axial[k] = drag.axial;
         h.drag_around[k] = drag.around;
@@ -453,15 +456,23 @@ struct WellNodes {
         h.drag_spin[k] = drag.spin;
     }
 
-    template <bool streaming>
+    /// Drag of the whole flow. Flowing mud pushes first, and is as viscous as the node's velocity
+    /// then makes it.
+    template <Around around>
     DRILLSTRAND_INLINE void wade(std::size_t k) const {
         DragCoefficients drag = {h.drag_radial[k], h.drag_axial[k], h.drag_around[k],
                                  h.drag_cross[k], h.drag_spin[k]};
-        const WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
+        WellVelocity u = {h.u_r[k], h.u_l[k], h.u_t[k], h.s[k]};
         const double pipe = wall.flow_radius_at(k);
-        if constexpr (streaming) {
+        if constexpr (around == Around::streaming_mud) {
             drag = with_inertia(drag, wall.flow(k), pipe, std::sqrt(u.r * u.r + u.t * u.t), u.l,
                                 u.spin);
+        }
+        if constexpr (around == Around::flowing_mud) {
+            const MudAround mud = wall.mud(k);
+            u.l += mobility(k).along * mud.load;
+            drag = flowing_drag(drag, wall.flow(k), mud, thinning, pipe, wall.hole[k], u.r, u.l,
+                                u.t, u.spin);
         }
         drag = around_wall(drag, h.eccentricity[k], pipe, wall.hole[k], film, wet_in_contact);
         const WellVelocity after = implicit_drag(u, drag, mobility(k));
@@ -584,15 +595,17 @@ DRILLSTRAND_KERNEL NodeStep nodes_of_span(const DirectorModel& model, const Tabl
                                 : touch_wall(well, EvenWall(wall, first), count);
         }
 
-        constexpr bool in_mud = around == Around::mud || around == Around::streaming_mud;
+        constexpr bool in_mud = around != Around::wall;
         if constexpr (in_mud) {
-            if (well.wet_in_contact > 0.0 || met.touching < static_cast<double>(count)) {
+            // mud that flows pushes what touches, too
+            if (around == Around::flowing_mud || well.wet_in_contact > 0.0 ||
+                met.touching < static_cast<double>(count)) {
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
-                    well.creep(k);
+                    well.template creep<around>(k);
 #pragma omp simd
                 for (std::size_t k = 0; k < count; ++k)
-                    well.template wade<around == Around::streaming_mud>(k);
+                    well.template wade<around>(k);
             }
         }
 
@@ -634,6 +647,7 @@ template <bool heavy>
 NodeKernel node_kernel_in_well(const DirectorModel& model) {
     const SceneFeatures& features = model.features;
     if (!features.drag) return node_kernel_around<Around::wall, heavy>(model);
+    if (features.flowing_mud) return node_kernel_around<Around::flowing_mud, heavy>(model);
     return features.inertial_flow ? node_kernel_around<Around::streaming_mud, heavy>(model)
                                   : node_kernel_around<Around::mud, heavy>(model);
 }

@@ -410,9 +410,10 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.head_rotation_rate = at.rod.row(DirectorRow::spin)[0];
     record.bit_rotation_rate = at.rod.row(DirectorRow::spin)[last];
     const double time = state.clock.time;
-    record.hook_load = string.head.hook_load(
-        at.segments.vector(SegmentRow::pull, 0) + at.segments.vector(SegmentRow::viscous_pull, 0),
-        time);
+    record.hook_load = string.head.hook_load(at.segments.vector(SegmentRow::pull, 0) +
+                                                 at.segments.vector(SegmentRow::viscous_pull, 0) +
+                                                 mud_on_head(scene, string.model.surroundings),
+                                             time);
     record.surface_torque = string.head.surface_torque(
         at.segments.row(SegmentRow::torque)[0] + at.segments.row(SegmentRow::viscous_torque)[0],
         time);

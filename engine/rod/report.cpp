@@ -48,6 +48,12 @@ double kinetic_energy(const Scene& scene, std::size_t node, double fluid_mass,
            momentum.dot(momentum.cwiseQuotient(inertia_of(scene, node, fluid_mass)));
 }
 
+Eigen::Vector3d mud_on_head(const Scene& scene, const Surroundings& surroundings) {
+    if (!scene.features.flowing_mud) return Eigen::Vector3d::Zero();
+    return scene.mesh.cell[0] * surroundings.row(Surroundings::mud_load)[0] *
+           scene.head_frame.col(0);
+}
+
 double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& position) {
     double sum = 0;
     for (std::size_t k = 0; k < position.size(); ++k)

@@ -26,6 +26,9 @@ double elastic_energy(const Scene& scene, const std::vector<Vector6>& stress);
 /// Kinetic energy of a node's cell (J), of its momentum per length in body axes.
 double kinetic_energy(const Scene& scene, std::size_t node, double fluid_mass,
                       const Vector6& momentum);
+/// Force of mud in motion on the cell of a head that is driven (N), along its d3.
+Eigen::Vector3d mud_on_head(const Scene& scene, const Surroundings& surroundings);
+
 /// Energy of the weight of all nodes (J).
 double potential_energy(const Scene& scene, const std::vector<Eigen::Vector3d>& position);
 

@@ -291,7 +291,7 @@ DRILLSTRAND_KERNEL void chain_segments_of_block(const double (*step)[block_size]
 }
 
 /// What surrounds the nodes, as far as a kernel has to know.
-enum class Around { nothing, wall, mud };
+enum class Around { nothing, wall, mud, flowing_mud };
 
 /// Nodes of one block. Features are known at compile time: what is off is not compiled in.
 template <Around around, bool heavy, bool with_damping, class Wall>
@@ -300,7 +300,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
                                          const Pose& start, Table<WallRow>& wall,
                                          std::size_t block) {
     constexpr bool in_well = around != Around::nothing;
-    constexpr bool with_drag = around == Around::mud;
+    constexpr bool with_drag = around == Around::mud || around == Around::flowing_mud;
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(block * block_size);
     const StrandIn in(state, first);
     const StrandOut out(rate, first);
@@ -336,6 +336,7 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
     const double cone = shared_friction.cone();
     const double least_normal = parameters.least_normal;
     const double viscosity = parameters.viscosity;
+    const Thinning thinning = parameters.thinning;
     const double film = parameters.film;
     const double wet_in_contact = parameters.contact_drag ? 1.0 : 0.0;
     const double eccentric_axial = parameters.eccentric_axial_drag ? 1.0 : 0.0;
@@ -433,11 +434,17 @@ DRILLSTRAND_KERNEL double nodes_of_block(const StrandModel& model, const Table<S
                 DragCoefficients drag =
                     drag_coefficients(around_node.annulus(k, frame.eccentricity, film));
                 drag.axial = eccentric_axial * drag.axial + around_node.concentric_axial[k];
-                drag = scaled(drag, viscosity);
                 // without inertia of the flow its coefficients are 0
                 const double flowed_by = around_node.flow_radius_at(k);
-                drag = with_inertia(drag, around_node.flow(k), flowed_by,
-                                    std::sqrt(v_r * v_r + v_t * v_t), v_l, w_l);
+                if constexpr (around == Around::flowing_mud) {
+                    const MudAround mud = around_node.mud(k);
+                    f_l += mud.load;
+                    drag = flowing_drag(drag, around_node.flow(k), mud, thinning, flowed_by,
+                                        around_node.hole[k], v_r, v_l, v_t, w_l);
+                } else {
+                    drag = with_inertia(scaled(drag, viscosity), around_node.flow(k), flowed_by,
+                                        std::sqrt(v_r * v_r + v_t * v_t), v_l, w_l);
+                }
                 drag = around_wall(drag, frame.eccentricity, flowed_by, around_node.hole[k], film,
                                    wet_in_contact);
                 f_r -= drag.radial * v_r;
@@ -514,6 +521,8 @@ NodeKernel node_kernel_around(const StrandModel& model) {
 
 template <bool heavy, bool with_damping>
 NodeKernel node_kernel_in_well(const StrandModel& model) {
+    if (model.features.flowing_mud)
+        return node_kernel_around<Around::flowing_mud, heavy, with_damping>(model);
     return model.features.drag ? node_kernel_around<Around::mud, heavy, with_damping>(model)
                                : node_kernel_around<Around::wall, heavy, with_damping>(model);
 }

@@ -169,7 +169,8 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     const double time = state.clock.time;
     const Vector6 on_head = first_wrench(string, state);
     const Eigen::Matrix3d frame = string.head.pose(state.head, time).frame;
-    record.hook_load = string.head.hook_load(frame * on_head.tail<3>(), time);
+    record.hook_load = string.head.hook_load(
+        frame * on_head.tail<3>() + mud_on_head(scene, string.model.surroundings), time);
     record.surface_torque = string.head.surface_torque(on_head[0], time);
     record.drive_torque = record.surface_torque;
     record.weight_on_bit = string.bit.loads().weight(time);

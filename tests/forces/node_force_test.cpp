@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "drillstrand/hydraulics.hpp"
 #include "drillstrand/scene.hpp"
 #include "rod/report.hpp"
 #include "rod/strand.hpp"
@@ -176,9 +177,14 @@ Surface plain_surroundings(const Scene& scene, std::size_t node, const Vector3d&
     const double v_r = velocity.dot(r);
     const double v_t = velocity.dot(t);
     const Eigen::Vector4d motion(v_r, velocity.dot(l), v_t, spin.dot(l));
-    const Eigen::Vector4d drag =
-        test::textbook_drag(*scene.fluid, annulus, {std::hypot(v_r, v_t), motion[1], motion[3]}) *
-        motion;
+    test::Stirring stirring{std::hypot(v_r, v_t), motion[1], motion[3], v_t};
+    if (scene.features.flowing_mud) {
+        const Hydraulics flow = hydraulics_of(scene, mud_motion(scene));
+        stirring.pumped = flow.annulus_speed[node];
+        stirring.pumped_shear = flow.annulus_shear[node];
+        result.force += flow.axial_load[node] * l;
+    }
+    const Eigen::Vector4d drag = test::textbook_drag(*scene.fluid, annulus, stirring) * motion;
     // v^2 grad M / 2
     const double pushed_in =
         0.5 * (v_r * v_r + v_t * v_t) * test::lateral_fluid_slope(*scene.fluid, annulus);
@@ -398,6 +404,20 @@ TEST(NodeForce, OfAWallThatVariesAlongTheWellIsThatOfPlainCode) {
 
 TEST(NodeForce, InMudIsThatOfPlainCode) {
     expect_equal_rates(rubbing_string(wall(), mud()));
+}
+
+TEST(NodeForce, InMudInMotionIsThatOfPlainCode) {
+    FluidCase fluid = mud();
+    fluid.viscosity = 0.4;
+    fluid.flow_index = 0.6;
+    fluid.yield_stress = 4;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+    fluid.flow_rate = 0.03;
+    fluid.nozzle_area = 5e-4;
+    expect_equal_rates(rubbing_string(wall(), fluid));
+    fluid.added_mass = false;
+    fluid.regime = FlowRegime::laminar;
+    expect_equal_rates(rubbing_string(wall(), fluid));
 }
 
 TEST(NodeForce, InThePapersMudIsThatOfPlainCode) {

@@ -74,6 +74,7 @@ struct Variant {
     std::string more;
     bool varied_wall = false;
     bool unbalanced = false;
+    bool flowing_mud = false;
 };
 
 std::ostream& operator<<(std::ostream& out, const Variant& variant) {
@@ -105,6 +106,13 @@ Scene scene_of(const Variant& variant) {
         hole.sections = {{100, 0.32}};
         if (variant.varied_wall) hole.sections = casing_and_open_hole();
         input.well = hole;
+    }
+    if (variant.flowing_mud) {
+        input.fluid->viscosity = 0.4;
+        input.fluid->flow_index = 0.6;
+        input.fluid->yield_stress = 4;
+        input.fluid->flow_rate = 0.03;
+        input.fluid->nozzle_area = 5e-4;
     }
     return build_scene(input);
 }
@@ -302,6 +310,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "[fluid]\ndensity = 1200\nviscosity = 0.05\nregime = \"laminar\"\n"
                     "inside = \"empty\"\n"},
         Variant{"MudWithMassDamped", 37, false, true, std::string(wall) + mud + pairs},
+        Variant{"MudInMotion", 37, false, true, std::string(wall) + mud, false, false, true},
+        Variant{"LaminarMudInMotionDamped", 37, false, true,
+                std::string(wall) + laminar_mud + pairs, false, false, true},
+        Variant{"EverythingInMudInMotion", 50, true, true, std::string(wall) + mud + damped, false,
+                false, true},
         Variant{"Impacts", 37, false, true, impacts},
         Variant{"ImpactsInMudWithMass", 37, false, true, std::string(impacts) + mud},
         Variant{"PullingWall", 37, false, true, std::string(wall) + "tension = true\n"},

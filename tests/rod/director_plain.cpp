@@ -8,6 +8,7 @@
 #include <limits>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "drillstrand/hydraulics.hpp"
 #include "forces/implicit_contact.hpp"
 #include "forces/surroundings.hpp"
 #include "support/annular_flow.hpp"
@@ -369,8 +370,18 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         node.rebounds = 0;
     }
     if (scene.features.drag) {
-        const Eigen::Matrix4d drag =
-            textbook_drag(*scene.fluid, annulus, {std::hypot(u[0], u[2]), u[1], spin});
+        Stirring stirring;
+        if (scene.features.flowing_mud) {
+            const Hydraulics flow = hydraulics_of(scene, mud_motion(scene));
+            stirring.pumped = flow.annulus_speed[k];
+            stirring.pumped_shear = flow.annulus_shear[k];
+            u[1] += kick / along * flow.axial_load[k];
+        }
+        stirring.across = std::hypot(u[0], u[2]);
+        stirring.along = u[1];
+        stirring.spin = spin;
+        stirring.around = u[2];
+        const Eigen::Matrix4d drag = textbook_drag(*scene.fluid, annulus, stirring);
         const Eigen::Vector4d inertia(sideways, along, sideways, turning);
         const Eigen::Matrix4d system = Eigen::Matrix4d(inertia.asDiagonal()) + kick * drag;
         const Eigen::Vector4d momentum =

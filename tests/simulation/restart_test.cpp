@@ -73,6 +73,11 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.well = hole;
     }
     if (scenario.name == "PapersLawDamped") input.contact.law = FrictionLaw::paper;
+    if (scenario.name == "PumpedMud") {
+        input.fluid->flow_index = 0.7;
+        input.fluid->yield_stress = 2;
+        input.fluid->flow_rate = 0.03;
+    }
     if (scenario.name == "Bouncing") input.contact.restitution = 0.8;
     input.run.integrator = kind;
     if (scenario.name == "SlippingBit" && kind == IntegratorKind::leapfrog) {
@@ -92,6 +97,7 @@ const std::vector<Scenario> scenarios = {
     {"PapersLawDamped", pipe_in_well("[damping]\ninternal = 1\nexternal = 2\nkelvin_voigt = 1e-5\n"
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
     {"SlippingBit", pipe_in_well("")},
+    {"PumpedMud", pipe_in_well("")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(
         [[string.component]]

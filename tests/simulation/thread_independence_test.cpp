@@ -127,6 +127,12 @@ struct Feature {
 
 const std::vector<Feature> features = {
     {"WellAndMud", [](Case&) {}},
+    {"MudInMotion",
+     [](Case& input) {
+         input.fluid->flow_index = 0.7;
+         input.fluid->yield_stress = 2;
+         input.fluid->flow_rate = 0.03;
+     }},
     {"WellOnly", [](Case& input) { input.fluid.reset(); }},
     {"NoWell",
      [](Case& input) {

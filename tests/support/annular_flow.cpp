@@ -17,6 +17,7 @@ Annulus with_film(const FluidCase& fluid, Annulus annulus) {
     return annulus;
 }
 
+/// Of creeping flow, per unit viscosity.
 Eigen::Matrix4d creeping_drag(const FluidCase& fluid, const Annulus& annulus) {
     const double e = annulus.eccentricity;
     const double r2 = annulus.pipe * annulus.pipe;
@@ -34,7 +35,38 @@ Eigen::Matrix4d creeping_drag(const FluidCase& fluid, const Annulus& annulus) {
     drag(2, 2) = 4 * pi * (r2 + h2) / den;
     drag(2, 3) = drag(3, 2) = -4 * pi * r2 * e / den;
     drag(3, 3) = 4 * pi * r2 * (h2 * phi / std::sinh(d) + e * e) / den;
-    return fluid.viscosity * drag;
+    return drag;
+}
+
+/// Rates at the wall of cylinders that slide and turn in a power law, over those of a Newtonian
+/// fluid.
+struct Steeper {
+    double sliding = 1, turning = 1;
+
+    Steeper(double n, const Annulus& annulus) {
+        if (n == 1) return;
+        const double ratio = annulus.pipe / annulus.hole;
+        const double power = 1 / n - 1;
+        sliding = power * std::log(1 / ratio) / (1 - std::pow(ratio, power));
+        turning = (1 - ratio * ratio) / (n * (1 - std::pow(ratio, 2 / n)));
+    }
+};
+
+/// Stress over rate on the pipe of a Herschel-Bulkley fluid.
+double viscosity_at_pipe(const FluidCase& fluid, const Annulus& annulus,
+                         const Eigen::Matrix4d& creeping, const Stirring& motion) {
+    if (fluid.is_newtonian()) return fluid.viscosity;
+    const Steeper steeper(fluid.flow_index, annulus);
+    const double circle = 2 * pi * annulus.pipe;
+    const double along =
+        steeper.sliding * creeping(1, 1) * motion.along / circle + motion.pumped_shear;
+    const double around = steeper.turning * creeping(3, 3) * motion.spin / (circle * annulus.pipe);
+    const double gap_area = pi * (annulus.hole * annulus.hole - annulus.pipe * annulus.pipe);
+    const double radial2 = motion.across * motion.across - motion.around * motion.around;
+    const double squeezed =
+        3 * (creeping(0, 0) * radial2 + creeping(2, 2) * motion.around * motion.around) / gap_area;
+    const double rate = std::sqrt(1 + along * along + around * around + squeezed);
+    return fluid.yield_stress / rate + fluid.viscosity * std::pow(rate, fluid.flow_index - 1);
 }
 
 void add_inertia(Eigen::Matrix4d& drag, const FluidCase& fluid, const Annulus& annulus,
@@ -52,7 +84,7 @@ void add_inertia(Eigen::Matrix4d& drag, const FluidCase& fluid, const Annulus& a
         drag(3, 3) = std::hypot(drag(3, 3), torque / std::abs(motion.spin));
     }
     // Blasius with the hydraulic diameter 2 (Rw - R): f rho/2 U^2 around the pipe
-    const double surface = std::hypot(motion.along, pipe * motion.spin);
+    const double surface = std::hypot(motion.along + motion.pumped, pipe * motion.spin);
     if (surface == 0) return;
     const double reynolds = surface * 2 * annulus.clearance() * fluid.density / fluid.viscosity;
     const double friction = 0.079 * std::pow(reynolds, -0.25);
@@ -95,8 +127,14 @@ Eigen::Matrix4d textbook_drag(const FluidCase& fluid, const Annulus& annulus,
     const double e = annulus.eccentricity;
     const double clearance = annulus.clearance();
     if (!fluid.drag || (e > clearance && !fluid.contact_drag)) return Eigen::Matrix4d::Zero();
-    Eigen::Matrix4d drag = creeping_drag(fluid, with_film(fluid, annulus));
-    if (fluid.regime == FlowRegime::inertial) add_inertia(drag, fluid, annulus, motion);
+    const Eigen::Matrix4d creeping = creeping_drag(fluid, with_film(fluid, annulus));
+    FluidCase as_it_flows = fluid;
+    as_it_flows.viscosity = viscosity_at_pipe(fluid, annulus, creeping, motion);
+    Eigen::Matrix4d drag = as_it_flows.viscosity * creeping;
+    const Steeper steeper(fluid.flow_index, annulus);
+    drag(1, 1) *= steeper.sliding;
+    drag(3, 3) *= steeper.turning;
+    if (fluid.regime == FlowRegime::inertial) add_inertia(drag, as_it_flows, annulus, motion);
     if (fluid.contact_drag) {
         // coefficients of friction hold the shear of the film: it fades before the pipe touches
         const double left = std::clamp((clearance - e) / (fluid.film * clearance), 0.0, 1.0);

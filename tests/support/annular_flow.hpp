@@ -15,9 +15,10 @@ struct Annulus {
     [[nodiscard]] double clearance() const { return hole - pipe; }
 };
 
-/// Speed across the axis and along it (m/s), spin (rad/s).
+/// Speed across the axis and along it (m/s), spin (rad/s); of the speed across, what goes around
+/// the axis (m/s); mean speed (m/s) and rate of shear on the pipe (1/s) of a flow up the annulus.
 struct Stirring {
-    double across = 0, along = 0, spin = 0;
+    double across = 0, along = 0, spin = 0, around = 0, pumped = 0, pumped_shear = 0;
 };
 
 /// Drag per length as a matrix on (v_r, v_l, v_t, spin): N s/m2 and N s.
