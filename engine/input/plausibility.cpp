@@ -26,6 +26,8 @@ constexpr std::array<std::string_view, 4> fluid_units{"ppg", "sg", "lb/ft3", "kg
 constexpr std::array<std::string_view, 4> metal_units{"g/cm3", "ppg", "lb/ft3", "kg/m3"};
 constexpr std::array<std::string_view, 2> mass_units{"lb/ft", "kg/m"};
 constexpr std::array<std::string_view, 1> viscosity_units{"cP"};
+constexpr std::array<std::string_view, 1> yield_units{"lbf/100ft2"};
+constexpr std::array<std::string_view, 2> pump_units{"gpm", "L/min"};
 constexpr std::array<std::string_view, 1> rotation_units{"rpm"};
 constexpr std::array<std::string_view, 3> weight_units{"kN", "klbf", "tf"};
 constexpr std::array<std::string_view, 5> modulus_units{"psi", "GPa", "MPa", "ksi", "Mpsi"};
@@ -33,6 +35,8 @@ constexpr std::array<std::string_view, 5> modulus_units{"psi", "GPa", "MPa", "ks
 // Air and foam aside, drilling fluids are heavier than half of water and lighter than three times.
 constexpr Range fluid_density{.low = 500, .high = 3000};
 constexpr Range viscosity{.high = 1};
+constexpr Range yield_stress{.high = 50};
+constexpr Range flow_rate{.high = 0.2};            // 3170 gpm
 constexpr Range rotation{.low = -50, .high = 50};  // 477 rpm
 constexpr Range friction{.high = 1};
 constexpr Range modulus{.low = 20e9, .high = 700e9};  // of fibre composites to that of carbides
@@ -73,6 +77,10 @@ class Checker {
                       "no drilling fluid");
         check_numbers("fluid.viscosity", dimension::viscosity, viscosity, viscosity_units,
                       "thicker than any drilling fluid");
+        check_numbers("fluid.yield_stress", dimension::pressure, yield_stress, yield_units,
+                      "stiffer than any drilling fluid");
+        check_numbers("fluid.flow_rate", dimension::flow_rate, flow_rate, pump_units,
+                      "more than any pump gives");
         check_numbers("head.rotation", dimension::frequency, rotation, rotation_units,
                       "faster than any top drive");
         check_numbers("equilibrium.rotation", dimension::frequency, rotation, rotation_units,

@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase,
                                          "horizontal_350kN", "horizontal_500kN", "horizontal_1MN",
                                          "well1", "well2", "well2_drilling", "well3", "well1_paper",
                                          "well2_paper", "well2_drilling_paper", "well3_paper",
-                                         "torque_drag"),
+                                         "torque_drag", "pumped_mud"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(ShippedCases, HaveThePaperLengthsAndMeshes) {

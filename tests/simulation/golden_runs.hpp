@@ -40,6 +40,7 @@ inline constexpr GoldenRun golden_runs[] = {
     {"stick_slip",          {3,   "1a29da15cf13db7f"}, {0, ""}},
     {"stick_slip_matched_drive", {3, "a9602a13e3181ff1"}, {0, ""}},
     {"torque_drag",         {3,   "de3d2947d2773c0a"}, {0.002, "b5bb571286ef63cb"}},
+    {"pumped_mud",          {3,   "cf0ecd476c409dfd"}, {0.002, "ee67279f41523ca0"}},
     {"field_units",         {0.05, "9cfeb0fdf7284d9"}, {0.0001, "5f42f4bc3a941bef"}},
     {"buckling_heavy",      {1,   "18034a41a44ae606"}, {0.002, "5df6ce279330db8d"}},
     {"buckling_weightless", {1,   "69f7440f50bdd9b3"}, {0.002, "649bea5db9c93fe4"}},

@@ -36,9 +36,9 @@ void PrintTo(const Kernel& kernel, std::ostream* stream) {
 const std::vector<Kernel> kernels = {
     {"strand: segments_of_block", 8, loop_share, 2},
     {"strand: chain_segments_of_block", 4},  // three rows of a rotation and an idle one
-    {"strand: nodes_of_block", 8, loop_share, 18},
+    {"strand: nodes_of_block", 8, loop_share, 26},
     {"director_segments: segments_of_span", 8, loop_share, 6},
-    {"director_nodes: nodes_of_span", 8, loop_share, 42},
+    {"director_nodes: nodes_of_span", 8, loop_share, 54},
     {"surroundings: advance_springs_of_block", 8, loop_share, 4},
     {"dormand_prince: block_error"},
     {"dormand_prince: stage_state", 8, 0.7},  // six scalar tails: its count is not a constant
