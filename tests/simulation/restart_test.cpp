@@ -88,6 +88,19 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.bit.inertia = 2;
         input.head.drive = DriveCase{
             .control = DriveControl::tuned, .inertia = 20, .frequency = 3, .torque_limit = 2000};
+        input.contact.stribeck_speed = 0.2;
+    }
+    if (scenario.name == "CuttingBit" && kind == IntegratorKind::leapfrog) {
+        input.bit.law = BitLaw::cutting;
+        input.bit.weight = {};
+        input.bit.torque = {};
+        input.bit.cutting = {.blades = 5,
+                             .specific_energy = 2e7,
+                             .wear_flat = 1e-3,
+                             .contact_strength = 2e7,
+                             .flat_friction = 0.5};
+        input.bit.feed = ScalarSchedule(0.01);
+        input.bit.off_bottom = 1e-4;
     }
     return input;
 }
@@ -97,6 +110,7 @@ const std::vector<Scenario> scenarios = {
     {"PapersLawDamped", pipe_in_well("[damping]\ninternal = 1\nexternal = 2\nkelvin_voigt = 1e-5\n"
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
     {"SlippingBit", pipe_in_well("")},
+    {"CuttingBit", pipe_in_well("")},
     {"PumpedMud", pipe_in_well("")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(

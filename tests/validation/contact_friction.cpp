@@ -88,6 +88,65 @@ TEST_P(Friction, SlidingPipeIsHeldByDynamicFrictionAlone) {
                 0.001 * 4.0233);
 }
 
+/// Friction of a surface that slips at a speed, by Hess and Soom.
+double falling_friction(const ContactCase& contact, double speed) {
+    const double part = 1 / (1 + std::pow(speed / contact.stribeck_speed, 2));
+    return contact.dynamic_friction.axial +
+           part * (contact.static_friction.axial - contact.dynamic_friction.axial);
+}
+
+TEST(FallingFriction, PipeGathersSpeedAsFrictionFallsWithIt) {
+    ContactCase contact;
+    contact.static_friction = {0.9, 0.9};
+    contact.dynamic_friction = {0.2, 0.2};
+    contact.stribeck_speed = 0.5;
+    const double inclination = 45 * degree;
+    Case input = short_pipe(IntegratorKind::leapfrog, inclination);
+    input.contact = contact;
+    lay_down(input, inclination);
+    input.run.duration = 2;
+    input.output.profile_interval = 0.1;
+    const test::Run result = run(input);
+    // dv/dt = g (cos - mu(v) sin), from a speed that it has on its way by Runge and Kutta's
+    // midpoint
+    const auto speed_at = [&](std::size_t i) {
+        return result.profiles.at(i).momentum.front()[3] / pipe_mass;
+    };
+    const auto gain = [&](double v) {
+        return 9.81 * std::sqrt(0.5) * (1 - falling_friction(contact, v));
+    };
+    double speed = speed_at(1);
+    constexpr double dt = 1e-4;
+    for (int i = 0; i < 19'000; ++i)
+        speed += dt * gain(speed + 0.5 * dt * gain(speed));
+    EXPECT_GT(speed, 5);
+    EXPECT_NEAR(speed_at(20), speed, 1e-3 * speed);
+}
+
+TEST(FallingFriction, IsStaticForAPipeAtRest) {
+    // tan of the inclination is 1/0.6 at 59.0362 degrees
+    for (const double beside : {-0.15, 0.15}) {
+        const double inclination = (59.0362 + beside) * degree;
+        Case input = short_pipe(IntegratorKind::leapfrog, inclination);
+        input.contact.dynamic_friction = {0.2, 0.2};
+        input.contact.stribeck_speed = 0.1;
+        input.contact.tangential_stiffness = 1e7;
+        lay_down(input, inclination);
+        const Vector3d carried =
+            -pipe_mass * input.gravity * std::cos(inclination) * down_the_well(inclination);
+        load(
+            input, 1, 0.01,
+            [carried](double t) { return Vector3d((1 - smooth_step(t, 0, 1)) * carried); }, none);
+        input.run.duration = 3;
+        const test::Run result = run(input);
+        const double slid = way(result, result.end(), inclination);
+        if (beside < 0)
+            EXPECT_GT(slid, 0.1);
+        else
+            EXPECT_LT(slid, 1e-4);
+    }
+}
+
 TEST_P(Friction, RecordsSayWhatTheWallTakesOfAPipeThatSlidesDown) {
     const double inclination = 45 * degree;
     Case input = short_pipe(integrator(), inclination);
