@@ -31,11 +31,13 @@ struct Options {
     int most_segments = 0;
     int jobs = 0;
     bool assemblies = false;
+    bool driven = false;
     bool one_step = false;
 };
 
 Case scene_case(int index, const Options& options) {
     Case input = options.assemblies ? assembly_scene(options.seed, index, options.duration)
+                 : options.driven   ? driven_scene(options.seed, index, options.duration)
                                     : stress_scene(options.seed, index, options.duration);
     input.run.local_steps = !options.one_step;
     return input;
@@ -198,6 +200,8 @@ int main(int argc, char** argv) {
     app.add_option("--cfl", options.cfl)->capture_default_str();
     app.add_flag("--assemblies", options.assemblies,
                  "strings with tool joints, stabilisers and bits on meshes that follow them");
+    app.add_flag("--driven", options.driven,
+                 "bits that stick or cut, top drives, friction that falls, mud in motion");
     app.add_flag("--one-step", options.one_step, "one step for all, no substeps");
     app.add_option("--jobs", options.jobs, "scenes at a time; 0: all cores")->capture_default_str();
     CLI11_PARSE(app, argc, argv);

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Random scenes over engineers' ranges with the leapfrog: does any of them diverge or gain energy?
 
-200 scenes of 20 simulated seconds, ten of ten minutes and 60 assemblies of five seconds (tool joints,
-stabilisers, bits, casing and open hole), always the same ones, several at a time.
+200 scenes of 20 simulated seconds, ten of ten minutes, 200 of a minute with what excites itself (bits that
+stick or cut, top drives, friction that falls with speed, mud in motion) and 60 assemblies of five seconds (tool
+joints, stabilisers, bits, casing and open hole), always the same ones, several at a time.
 Each must come to its end or be stopped by a physical guard that names place and time.
 """
 
@@ -19,6 +20,7 @@ MOST_GUARDS = 0.03  # share of scenes that guards may stop
 MOST_GAIN = 0.05  # of the energy that moved
 STIFF = 1e6  # Pa; below it the wall is soft and penetration is what was asked for
 LARGEST_LONG = 400  # segments of a scene that runs for minutes
+LARGEST_DRIVEN = 400  # segments of a scene with laws and drives
 LARGEST_ASSEMBLY = 600  # segments of an assembly, whose steps are short
 
 
@@ -101,6 +103,7 @@ def main():
     parser.add_argument("--scenes", type=int, default=200, help="of 20 s (default: 200)")
     parser.add_argument("--long", type=int, default=10, help="of ten minutes (default: 10)")
     parser.add_argument("--assemblies", type=int, default=60, help="of five seconds (default: 60)")
+    parser.add_argument("--driven", type=int, default=200, help="of a minute (default: 200)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="scenes at a time")
     options = parser.parse_args()
@@ -114,6 +117,10 @@ def main():
         sets.append(run(options, options.long, 600,
                         ["--first", "1000", "--most-segments", str(LARGEST_LONG)]))
     names = ["stress.csv", "stress_long.csv"][:len(sets)]
+    if options.driven > 0:
+        sets.append(run(options, options.driven, 60,
+                        ["--driven", "--most-segments", str(LARGEST_DRIVEN)]))
+        names.append("stress_driven.csv")
     if options.assemblies > 0:
         sets.append(run(options, options.assemblies, 5,
                         ["--assemblies", "--most-segments", str(LARGEST_ASSEMBLY)]))

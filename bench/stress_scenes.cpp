@@ -362,6 +362,58 @@ void draw_walls(Draw& draw, std::vector<WellSectionCase>& sections) {
     }
 }
 
+/// Bits that stick and slip under the weight of the scene, or that cut their way down.
+void draw_bit_law(Draw& draw, Case& input) {
+    BitCase& bit = input.bit;
+    if (draw.chance(0.3)) return;
+    const double hole = input.well->sections.back().diameter;
+    const double weight = bit.weight.values().back();
+    bit.friction.reset();
+    bit.torque = {};
+    bit.inertia = draw.chance(0.5) ? draw.log_uniform(0.1, 100) : 0;
+    if (draw.chance(0.5)) {
+        bit.law = BitLaw::stribeck;
+        bit.static_torque = draw.uniform(0, 1) * hole / 3 * std::max(weight, 1e4);
+        bit.dynamic_torque = draw.uniform(0.3, 1) * bit.static_torque;
+        bit.decay_speed = draw.chance(0.3) ? 0 : draw.log_uniform(0.1, 10);
+        return;
+    }
+    bit.law = BitLaw::cutting;
+    bit.weight = {};
+    bit.cutting.blades = draw.whole(3, 12);
+    bit.cutting.specific_energy = draw.log_uniform(5e6, 3e8);
+    bit.cutting.inclination = draw.uniform(0.5, 0.9);
+    bit.cutting.wear_flat = draw.chance(0.5) ? draw.log_uniform(1e-4, 5e-3) : 0;
+    bit.cutting.contact_strength = draw.uniform(0.3, 1) * bit.cutting.specific_energy;
+    bit.cutting.flat_friction = draw.uniform(0, 1);
+    bit.feed = ramp(draw.uniform(0, 8), draw.uniform(0.5, 4), draw.log_uniform(1e-4, 1e-2));
+    bit.off_bottom = draw.chance(0.5) ? draw.log_uniform(1e-4, 1e-1) : 0;
+}
+
+DriveCase draw_drive(Draw& draw) {
+    constexpr DriveControl controls[] = {DriveControl::stiff, DriveControl::pi, DriveControl::tuned,
+                                         DriveControl::matched};
+    DriveCase drive;
+    drive.control = controls[draw.whole(0, 3)];
+    drive.inertia = draw.log_uniform(100, 5000);
+    drive.proportional = draw.log_uniform(100, 5e4);
+    drive.integral = draw.chance(0.7) ? draw.log_uniform(100, 1e5) : 0;
+    drive.impedance_factor = draw.uniform(1, 8);
+    drive.frequency = draw.log_uniform(0.3, 5);
+    drive.filter = draw.chance(0.7) ? draw.log_uniform(0.3, 10) : 0;
+    if (draw.chance(0.5)) drive.torque_limit = draw.log_uniform(5e3, 1e5);
+    if (draw.chance(0.3)) drive.power_limit = draw.log_uniform(1e5, 1e6);
+    return drive;
+}
+
+void draw_moving_mud(Draw& draw, FluidCase& fluid) {
+    fluid.viscosity = draw.log_uniform(0.01, 2);
+    fluid.flow_index = draw.uniform(0.3, 1);
+    fluid.yield_stress = draw.chance(0.5) ? draw.uniform(0, 15) : 0;
+    const bool pumped = fluid.inside == InsideOfPipe::fluid && fluid.drag;
+    if (pumped && draw.chance(0.7)) fluid.flow_rate = draw.uniform(0, 0.06);
+}
+
 }  // namespace
 
 Case stress_scene(unsigned seed, int index, double duration) {
@@ -394,6 +446,17 @@ Case assembly_scene(unsigned seed, int index, double duration) {
     add_tool_joints(draw, input.string.components, hole);
     add_assembly(draw, input.string.components, hole);
     draw_walls(draw, input.well->sections);
+    return input;
+}
+
+Case driven_scene(unsigned seed, int index, double duration) {
+    Case input = stress_scene(seed, index, duration);
+    Draw draw(seed + 2, index);
+    draw_bit_law(draw, input);
+    if (input.head.motion == HeadMotion::driven && draw.chance(0.7))
+        input.head.drive = draw_drive(draw);
+    if (draw.chance(0.5)) input.contact.stribeck_speed = draw.log_uniform(0.01, 1);
+    if (input.fluid && draw.chance(0.5)) draw_moving_mud(draw, *input.fluid);
     return input;
 }
 
