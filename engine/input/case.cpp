@@ -4,6 +4,7 @@
 
 #include "input/case_document.hpp"
 #include "input/case_sections.hpp"
+#include "input/descent.hpp"
 #include "input/plausibility.hpp"
 #include "input/plausible.hpp"
 #include "input/written.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 /// Whether the string has an equilibrium that a run can start from.
 bool can_rest(const Case& input) {
-    return input.head.motion == HeadMotion::driven &&
+    return input.head.motion != HeadMotion::free &&
            input.run.integrator == IntegratorKind::leapfrog;
 }
 
@@ -36,8 +37,32 @@ void check_ends(const Case& input, const toml::table& root) {
             .fail("is for the leapfrog's rod; expected run.integrator = \"leapfrog\"");
     };
     if (input.head.drive) refuse("head.drive");
+    if (input.head.hoist) refuse("head.hoist");
     if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
     if (input.contact.stribeck_speed > 0) refuse("contact.stribeck_speed");
+}
+
+/// Throws InputError where the head lets the bit down beyond the surveyed well, or a component to
+/// where it does not fit.
+void check_travel(const WellCase& well, const StringInput& string, const Case& input,
+                  const toml::table& root) {
+    const bool head_at_start = !input.head.position || input.head.position->isZero(0);
+    if (!head_at_start) return;
+    const Descent descent = deepest_descent(input.head, input.run.duration);
+    if (descent.depth <= 0) return;
+    for (const char* path : {"head.operations", "head.velocity", "head.hoist.block_speed"}) {
+        const toml::node* node = root.at_path(path).node();
+        if (node == nullptr) continue;
+        const double bit =
+            well.survey.front().measured_depth + total_length(string.string) + descent.depth;
+        const double end = well.survey.back().measured_depth;
+        if (bit > end)
+            Value(*node, path)
+                .fail(fmt::format("takes the bit to {:.6g} m, at {:.4g} s; expected at most "
+                                  "{:.6g} m, the end of the surveyed well",
+                                  bit, descent.time, end));
+        check_fit_at(well, string, input.contact.interference, bit, locate(node->source()));
+    }
 }
 
 /// Throws InputError where a run cannot start from equilibrium.
@@ -97,6 +122,7 @@ Case read_case(const std::filesystem::path& path,
     result.initial = read_initial(root, result.well && can_rest(result));
     result.equilibrium = read_equilibrium(root);
     if (result.well) check_fit(*result.well, string, result.head, result.contact.interference);
+    if (result.well) check_travel(*result.well, string, result, document.root);
     result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
     check_eccentric_masses(result, string);

@@ -14,67 +14,6 @@ namespace {
 // Dimension of a damping coefficient of velocity, N s/m, and of rotation, N m s.
 constexpr Dimension damping_coefficient{1, 0, -1};
 constexpr Dimension rotation_damping{1, 2, -1};
-constexpr Dimension moment_of_inertia{1, 2, 0};
-
-bool is_zero(const ScalarSchedule& schedule) {
-    return std::all_of(schedule.values().begin(), schedule.values().end(),
-                       [](double value) { return value == 0; });
-}
-
-bool is_zero(const VectorSchedule& schedule) {
-    return std::all_of(schedule.values().begin(), schedule.values().end(),
-                       [](const Eigen::Vector3d& value) { return value.isZero(0); });
-}
-
-void refuse_head_load(const Table& table, std::string_view key, std::string_view motion) {
-    refuse_key(table, key, fmt::format("head.motion = \"{}\"", motion));
-}
-
-DriveCase read_drive(const Table& table) {
-    DriveCase drive;
-    drive.control = table.choice<DriveControl>("control", drive.control,
-                                               {{"stiff", DriveControl::stiff},
-                                                {"pi", DriveControl::pi},
-                                                {"tuned", DriveControl::tuned},
-                                                {"matched", DriveControl::matched}});
-    drive.inertia =
-        table.quantity("inertia", moment_of_inertia, drive.inertia, plausible::drive_inertia);
-    const auto belongs_to = [&](DriveControl control, std::string_view name,
-                                std::initializer_list<std::string_view> keys) {
-        if (drive.control == control) return true;
-        for (const std::string_view key : keys)
-            refuse_key(table, key, fmt::format("head.drive.control = \"{}\"", name));
-        return false;
-    };
-    if (belongs_to(DriveControl::pi, "pi", {"proportional", "integral"})) {
-        drive.proportional =
-            table.require("proportional", "a torque over a rate, such as \"2 kN m s\"")
-                .quantity(rotation_damping, plausible::proportional);
-        drive.integral =
-            table.quantity("integral", dimension::moment, drive.integral, plausible::load_or_none);
-    }
-    if (belongs_to(DriveControl::tuned, "tuned", {"impedance_factor", "frequency"})) {
-        drive.impedance_factor =
-            table.number("impedance_factor", drive.impedance_factor, plausible::factor);
-        drive.frequency = table.require("frequency", "a frequency to damp, such as \"0.2 Hz\"")
-                              .quantity(dimension::frequency, plausible::slow_rotation);
-    }
-    if (belongs_to(DriveControl::matched, "matched", {"filter"}))
-        drive.filter =
-            table.quantity("filter", dimension::time, drive.filter, plausible::duration_or_none);
-    if (const std::optional<Value> limit = table.find("torque_limit"))
-        drive.torque_limit = limit->quantity(dimension::moment, plausible::largest_load);
-    if (const std::optional<Value> limit = table.find("power_limit"))
-        drive.power_limit = limit->quantity(dimension::power, plausible::largest_load);
-    return drive;
-}
-
-Eigen::Vector3d read_direction(const Value& value) {
-    const Eigen::Vector3d direction = value.vector(dimension::none, {.low = -1e9, .high = 1e9});
-    const double length = direction.norm();
-    if (length < 1e-9) value.fail("has no length; expected a vector that is not zero");
-    return direction / length;
-}
 
 }  // namespace
 
@@ -111,35 +50,6 @@ FrictionCoefficients read_dynamic_friction(const std::optional<Value>& value,
     check(dynamic.axial, standing.axial);
     check(dynamic.azimuthal, standing.azimuthal);
     return dynamic;
-}
-
-HeadCase read_head(const Table& root) {
-    const Table table = root.subtable(
-        "head", {"position", "direction", "motion", "force", "moment", "rotation", "drive"});
-    HeadCase head;
-    if (const std::optional<Value> position = table.find("position")) {
-        head.position = position->vector(dimension::length, plausible::coordinate);
-    }
-    if (const std::optional<Value> direction = table.find("direction")) {
-        head.direction = read_direction(*direction);
-    }
-    head.motion = table.choice<HeadMotion>(
-        "motion", head.motion, {{"driven", HeadMotion::driven}, {"free", HeadMotion::free}});
-    head.force = table.vector_schedule("force", dimension::force, plausible::load);
-    head.moment = table.vector_schedule("moment", dimension::moment, plausible::load);
-    head.rotation = table.scalar_schedule("rotation", dimension::frequency, plausible::rotation);
-    if (head.motion == HeadMotion::driven) {
-        if (!is_zero(head.force)) refuse_head_load(table, "force", "free");
-        if (!is_zero(head.moment)) refuse_head_load(table, "moment", "free");
-        if (table.find("drive"))
-            head.drive = read_drive(table.subtable(
-                "drive", {"control", "inertia", "proportional", "integral", "impedance_factor",
-                          "frequency", "filter", "torque_limit", "power_limit"}));
-    } else {
-        if (!is_zero(head.rotation)) refuse_head_load(table, "rotation", "driven");
-        refuse_head_load(table, "drive", "driven");
-    }
-    return head;
 }
 
 namespace {
@@ -226,7 +136,8 @@ BitCase read_bit(const Table& root, const StringCase& string) {
     refuse_keys_of_other_laws(table, bit.law);
     if (bit.law == BitLaw::stribeck) read_bit_friction(table, bit);
     if (bit.law == BitLaw::cutting) read_cutting(table, bit, string);
-    bit.inertia = table.quantity("inertia", moment_of_inertia, bit.inertia, plausible::bit_inertia);
+    bit.inertia = table.quantity("inertia", dimension::moment_of_inertia, bit.inertia,
+                                 plausible::bit_inertia);
     // the rock pushes, it does not pull
     bit.weight = table.scalar_schedule("weight", dimension::force, plausible::load_or_none);
     bit.smoothing_speed =

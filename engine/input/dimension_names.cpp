@@ -42,6 +42,8 @@ constexpr std::array names{
     Name{{1, 2, 0}, "a moment of inertia", "kg m2", "kg m2, lb ft2"},
     Name{dimension::power, "a power", "W", "W, kW, hp"},
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
+    Name{{-1, 0, 1}, "a speed over a force", "s/kg", "s/kg, m/s/N"},
+    Name{{-1, -1, 1}, "a speed over a moment", "s/(kg m)", "s/kg/m, m/s/N/m"},
 };
 
 const Name* find(const Dimension& dimension) {

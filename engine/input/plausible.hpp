@@ -35,6 +35,10 @@ inline constexpr Range rotation{.low = -1e5, .high = 1e5};            // rad/s
 inline constexpr Range slow_rotation{.low = 1e-9, .high = 1e5};       // rad/s
 inline constexpr Range speed_or_none{.low = 0, .high = 1e6};          // m/s
 inline constexpr Range speed{.low = -1e6, .high = 1e6};               // m/s
+inline constexpr Range feed{.low = 1e-9, .high = 1e6};                // m/s
+inline constexpr Range block_mass{.low = 1e-3, .high = 1e9};          // kg
+inline constexpr Range line_stiffness{.low = 1e-3, .high = 1e15};     // N/m
+inline constexpr Range gain{.low = 0, .high = 1e6};                   // m/s over an error
 inline constexpr Range wall_stiffness{.low = 1e-3, .high = 1e15};     // Pa
 inline constexpr Range wall_damping{.low = 0, .high = 1e15};          // Pa s
 inline constexpr Range friction{.low = 0, .high = 1e3};               // 1

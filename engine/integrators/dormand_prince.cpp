@@ -11,6 +11,7 @@
 #include "drillstrand/error.hpp"
 #include "numerics/kernel.hpp"
 #include "numerics/ordered_sum.hpp"
+#include "rod/report.hpp"
 #include "state/save.hpp"
 
 namespace drillstrand {
@@ -216,11 +217,11 @@ void DormandPrince::combine(Worker& worker, std::size_t stage, double step) {
         sum(stage, worker.trial->line(line) + first, worker.rod->line(line) + first, k, step,
             count);
     }
-    if (string_.head.is_driven()) {
-        if (owns_head(worker))
-            string_.head.prescribe(*worker.trial, worker.clock.time + Tableau::c[stage] * step);
-        return;
-    }
+    if (owns_head(worker))
+        string_.head.prescribe(*worker.trial,
+                               inertia_of(string_.scene, 0, fluid_mass_at(state_.wall, 0)),
+                               worker.clock.time + Tableau::c[stage] * step);
+    if (!string_.head.keeps_pose()) return;
     worker.trial_head = worker.head;
     for (std::size_t i = 0; i < stage; ++i) {
         const double weight = step * Tableau::a[stage][i];
@@ -234,7 +235,7 @@ void DormandPrince::evaluate(Worker& worker, std::size_t stage, double time,
                              const Table<StrandRow>& rod, const HeadState& head) {
     Table<StrandRow>& rate = *worker.rate[stage];
     segment_pass(string_.model, rod, rate, work_, state_.wall, worker.begin, worker.end);
-    if (!string_.head.is_driven())
+    if (string_.head.keeps_pose())
         worker.head_rate[stage] =
             string_.head.rate(head, velocity_of(string_.scene, rod, state_.wall, 0));
     barrier_.wait();
@@ -254,9 +255,9 @@ void DormandPrince::load_ends(const Worker& worker, std::size_t stage, double ti
                               const Table<StrandRow>& rod) {
     if (owns_head(worker)) {
         Vector6 on_rod;
-        if (string_.head.is_driven()) {
+        if (string_.head.is_held()) {
             // what keeps the head on its course is what the first segment pulls it with
-            on_rod = -wrench_on_head(work_);
+            on_rod = string_.head.holding(wrench_on_head(work_), worker.block_start[0].frame);
         } else {
             on_rod = string_.head.stress(worker.block_start[0].frame, time);
             set_head_wrench(work_, -on_rod);
@@ -318,7 +319,7 @@ void DormandPrince::accept(Worker& worker, double step) {
         count_events(string_, state_, block);
         power_[0].surroundings[block] = work_.power[block];
     }
-    if (!string_.head.is_driven()) {
+    if (string_.head.keeps_pose()) {
         worker.head = worker.trial_head;
         worker.head.quaternion.normalize();
     }

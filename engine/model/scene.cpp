@@ -44,8 +44,8 @@ double damping_ratio_for(double restitution) {
 /// The leapfrog's rod and that of statics bend as cubics; what holds the head takes its couple.
 Lumping lumping_of(const Case& input) {
     if (input.run.integrator == IntegratorKind::dormand_prince) return Lumping::cells;
-    return input.head.motion == HeadMotion::free ? Lumping::cubic_free_head
-                                                 : Lumping::cubic_clamped_head;
+    return input.head.motion == HeadMotion::driven ? Lumping::cubic_clamped_head
+                                                   : Lumping::cubic_free_head;
 }
 
 /// The wall at a contact point, per length of its node's cell (Pa): whatever the mesh, the point
@@ -315,6 +315,7 @@ Scene scene_of(const Case& input) {
     scene.contact = input.contact;
     scene.side_force_window = input.output.side_force_window;
     scene.damping = input.damping;
+    scene.gravity = input.gravity;
     scene.head = input.head;
     scene.bit = input.bit;
     scene.local_steps = input.run.local_steps;

@@ -151,6 +151,9 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::hook_load>("/series/hook_load", "N",
                               "force along the well that holds the head: the pull of the first "
                               "segment and the buoyed weight of the head's own half cell"),
+        series<&R::dead_line_tension>("/series/dead_line_tension", "N",
+                                      "tension of one line of the hoist, which its dead line "
+                                      "shows; 0 without a hoist"),
         series<&R::surface_torque>("/series/surface_torque", "N m",
                                    "couple about d3 of the drive on the head, positive where it "
                                    "drives a positive rotation"),

@@ -36,6 +36,7 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         const auto set = [&](Row row, double value) { table_.row(row)[k] = value; };
         set(inverse_cell, 1 / mesh.cell[k]);
         set(mobile_cell, mesh.cell[k]);
+        set(tilting_cell, mesh.cell[k]);
         set(mass, s.mass);
         set(inverse_mass, 1 / s.mass);
         set(polar, s.polar_inertia);
@@ -45,10 +46,11 @@ DirectorConstants::DirectorConstants(const Scene& scene)
         set(weight, scene.weight[k]);
         if (!mesh.unbalance.empty()) set(unbalance, mesh.unbalance[k] / mesh.cell[k]);
     }
-    if (scene.head.motion == HeadMotion::driven) table_.row(mobile_cell)[0] = 0.0;
+    if (scene.head.motion != HeadMotion::free) table_.row(mobile_cell)[0] = 0.0;
+    if (scene.head.motion == HeadMotion::driven) table_.row(tilting_cell)[0] = 0.0;
     // padding keeps no energy account
     for (std::size_t k = mesh.cell.size(); k < table_.blocks() * block_size; ++k)
-        table_.row(mobile_cell)[k] = 0.0;
+        table_.row(mobile_cell)[k] = table_.row(tilting_cell)[k] = 0.0;
 }
 
 DirectorModel::DirectorModel(const Scene& scene, Level its_level)

@@ -37,6 +37,7 @@ class DirectorConstants {
         bend20,              // segment, stress-free curvature about d2 (1/m)
         inverse_cell,        // node, 1 / length of its cell (1/m)
         mobile_cell,         // node, length of its cell (m); 0 where its motion is prescribed
+        tilting_cell,        // node, length of its cell (m); 0 where its director's is
         mass,                // node, m (kg/m)
         inverse_mass,        // node, 1 / m
         polar,               // node, rho Ip (kg m)

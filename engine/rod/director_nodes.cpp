@@ -180,9 +180,9 @@ struct RodNodes {
             s *= 1.0 / (1.0 + to_spin * external_damping.rotation);
             const double work =
                 c.transverse[k] * dot(combine(1.0, w, -1.0, w_rod), combine(0.5, in.w[k], 0.5, w));
-            done.outflow = -c.mobile_cell[k] * work;
+            done.outflow = -c.tilting_cell[k] * work;
         }
-        done.faults = c.mobile_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
+        done.faults = c.tilting_cell[k] > 0.0 && !(dot(w, w) < 1e20) ? 1.0 : 0.0;
         turn(k, w);
         if constexpr (wall) {
             held.v.set(k, v);

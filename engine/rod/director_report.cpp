@@ -315,8 +315,7 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
                           {time, last_drift, 0.0, 0.5 * last_drift});
     for (std::size_t i = 0; i < works.size(); ++i)
         string.substeps.share(model, state.rod, at.rod, i, 0.5 * last_drift, 0.0, works[i]);
-    string.head.settle(state.head, at.segments, state.rod.row(DirectorRow::spin)[0], at.rod, time,
-                       0.5 * last_drift);
+    string.head.settle(state.head, at.segments, state.rod, at.rod, time, 0.5 * last_drift);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, time));
     return at;
@@ -338,20 +337,30 @@ double kinetic_energy(const Scene& scene, const Table<DirectorRow>& rod, const T
             scene.mesh.node[node].polar_inertia * s * s);
 }
 
-/// What the segments of a table do to a node.
-RodLoad load_on(const Table<SegmentRow>& segments, const Triple& t, std::size_t node) {
+/// Of the head's kinetic energy (J) what prescribed motion gives it.
+double prescribed_energy(const DirectorString& string, const Table<DirectorRow>& rod,
+                         const Table<WallRow>& wall) {
+    return string.head.prescribed_energy(kinetic_energy(string.scene, rod, wall, 0),
+                                         rod.row(DirectorRow::spin)[0]);
+}
+
+/// What the segments of a table do to a node; to a pinned one, what its holding does not take.
+RodLoad load_on(const Table<SegmentRow>& segments, const Triple& t, std::size_t node,
+                bool is_pinned) {
     const auto after = static_cast<std::ptrdiff_t>(node);
-    return rod_load<true>(SegmentsIn(segments, after), SegmentsIn(segments, after - 1), t, 1.0, 0);
+    const RodLoad load =
+        rod_load<true>(SegmentsIn(segments, after), SegmentsIn(segments, after - 1), t, 1.0, 0);
+    return is_pinned ? RodLoad{{}, load.couple, 0.0} : load;
 }
 
 /// What the rod's forces on a node do to its velocities in half a step, as an energy (J). The
 /// leapfrog keeps the energy 1/2 m v- . v+ of the half steps before and after, which is by this
 /// less than that of their mean: of a mode near the bound of the step, almost all of it.
 double half_kick_energy(const Scene& scene, const DirectorSnapshot& at, double half_step,
-                        std::size_t node) {
+                        std::size_t node, bool is_pinned) {
     const Triple t = node_triple(at, DirectorRow::director, node);
-    const RodLoad now = load_on(at.segments, t, node);
-    const RodLoad handed = load_on(at.handed_over(), t, node);
+    const RodLoad now = load_on(at.segments, t, node, is_pinned);
+    const RodLoad handed = load_on(at.handed_over(), t, node, is_pinned);
     const double along = dot(now.force, t) * dot(handed.force, t);
     const SectionProperties& section = scene.mesh.node[node];
     const double sideways = section.mass + fluid_mass_at(at.wall, node);
@@ -365,8 +374,9 @@ double half_kick_energy(const Scene& scene, const DirectorSnapshot& at, double h
 double half_kick_energy(const DirectorString& string, const DirectorSnapshot& at,
                         double half_step) {
     double sum = -string.substeps.added_energy(at.rod, 2 * half_step);
-    for (std::size_t k = string.head.is_driven() ? 1 : 0; k <= string.model.segments; ++k)
-        sum += half_kick_energy(string.scene, at, half_step, k);
+    const bool is_clamped = string.head.is_held() && !string.head.is_pinned();
+    for (std::size_t k = is_clamped ? 1 : 0; k <= string.model.segments; ++k)
+        sum += half_kick_energy(string.scene, at, half_step, k, k == 0 && string.head.is_pinned());
     return sum;
 }
 
@@ -384,7 +394,7 @@ EnergyOrigin energy_origin(const DirectorString& string, const DirectorState& st
     const Scene& scene = string.scene;
     const std::vector<Vector3d> position = positions(string, state.rod);
     EnergyOrigin origin;
-    if (string.head.is_driven()) origin.head = kinetic_energy(scene, state.rod, state.wall, 0);
+    origin.head = prescribed_energy(string, state.rod, state.wall);
     origin.potential = potential_energy(scene, position);
     origin.springs =
         spring_energy(scene, contacts_of(string.model.surroundings, state.wall, position));
@@ -413,7 +423,8 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.hook_load = string.head.hook_load(at.segments.vector(SegmentRow::pull, 0) +
                                                  at.segments.vector(SegmentRow::viscous_pull, 0) +
                                                  mud_on_head(scene, string.model.surroundings),
-                                             time);
+                                             at.rod.vector(DirectorRow::director, 0), time);
+    record.dead_line_tension = string.head.dead_line_tension(state.head, time);
     record.surface_torque = string.head.surface_torque(
         at.segments.row(SegmentRow::torque)[0] + at.segments.row(SegmentRow::viscous_torque)[0],
         time);
@@ -441,8 +452,7 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.bit_stress = stress_of(ReportedSegment(scene, last - 1, at), at, last - 1);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
-    if (string.head.is_driven())
-        energy.work += kinetic_energy(scene, at.rod, at.wall, 0) - state.origin.head;
+    energy.work += prescribed_energy(string, at.rod, at.wall) - state.origin.head;
     NodeReport nodes{contacts_of(string.model.surroundings, at.wall, position), {}};
     nodes.velocity.reserve(last + 1);
     for (std::size_t k = 0; k <= last; ++k)

@@ -74,6 +74,7 @@ struct NodeConstants {
     NodeConstants(const DirectorConstants& c, std::ptrdiff_t first)
         : inverse_cell(c.row(DirectorConstants::inverse_cell) + first),
           mobile_cell(c.row(DirectorConstants::mobile_cell) + first),
+          tilting_cell(c.row(DirectorConstants::tilting_cell) + first),
           mass(c.row(DirectorConstants::mass) + first),
           inverse_mass(c.row(DirectorConstants::inverse_mass) + first),
           polar(c.row(DirectorConstants::polar) + first),
@@ -82,8 +83,8 @@ struct NodeConstants {
           inverse_transverse(c.row(DirectorConstants::inverse_transverse) + first),
           weight(c.row(DirectorConstants::weight) + first),
           unbalance(c.row(DirectorConstants::unbalance) + first) {}
-    const double *inverse_cell, *mobile_cell, *mass, *inverse_mass, *polar, *inverse_polar,
-        *transverse, *inverse_transverse, *weight, *unbalance;
+    const double *inverse_cell, *mobile_cell, *tilting_cell, *mass, *inverse_mass, *polar,
+        *inverse_polar, *transverse, *inverse_transverse, *weight, *unbalance;
 };
 
 DRILLSTRAND_INLINE Triple without(const Triple& v, const Triple& unit) {

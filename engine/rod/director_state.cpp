@@ -38,8 +38,8 @@ DirectorState initial_state(const DirectorString& string) {
         state.rod.set(DirectorRow::last_director, entry, initial.director[k]);
     }
     std::copy(initial.twist.begin(), initial.twist.end(), state.rod.row(DirectorRow::last_twist));
-    state.head = string.head.start();
-    string.head.settle(state.head, Table<SegmentRow>(nodes), 0, state.rod, 0, 0);
+    state.head = string.head.start(initial.director.front());
+    string.head.settle(state.head, Table<SegmentRow>(nodes), state.rod, state.rod, 0, 0);
 
     const std::vector<Eigen::Matrix3d> frame = material_frames(
         string, state.rod, state.rod.row(DirectorRow::last_twist), string.head.d1(state.head, 0));
@@ -49,6 +49,8 @@ DirectorState initial_state(const DirectorString& string) {
     state.rock = string.bit.start_on_rock();
     string.bit.finish(state.bit, state.rock, Table<SegmentRow>(nodes), state.rod, state.rod,
                       well_at_bit(string, state.wall, state.rod), {});
+
+    if (scene.head.hoist) string.head.hang(state.head, snapshot(string, state).segments);
 
     state.origin = energy_origin(string, state);
     return state;

@@ -44,7 +44,7 @@ struct EndLoads {
         const auto length = [](const Vector3d& value) { return value.norm(); };
         add_force(scene.bit.force, director.back());
         moment += largest(scene.bit.moment, length) + largest(scene.bit.dead_moment, length);
-        if (scene.head.motion == HeadMotion::driven) return;
+        if (scene.head.motion != HeadMotion::free) return;
         add_force(scene.head.force, director.front());
         moment += largest(scene.head.moment, length);
     }
@@ -154,15 +154,21 @@ struct Mobility {
     double turn = 0;
 
     Mobility(const Scene& scene, std::size_t node, std::size_t segment) {
-        if (node == 0 && scene.head.motion == HeadMotion::driven) return;
+        const bool is_head = node == 0;
+        const HeadCase& head = scene.head;
+        if (is_head && head.motion == HeadMotion::driven && !head.hoist) return;
         const SectionProperties& section = scene.mesh.node[node];
         const auto cell_by = [&](const auto& stiffness) {
             return scene.mesh.cell[node] * share(scene.mesh, node, segment, stiffness);
         };
+        // the block only slows what its own cell of pipe would do
+        if (is_head && head.hoist) along = 1 / (section.mass * cell_by(stiffness_along));
+        if (is_head && head.hoist) return;
+        turn = 1 / (scene.inertia[node] * cell_by(stiffness_across));
+        if (is_head && head.motion == HeadMotion::pinned) return;
         along = 1 / (section.mass * cell_by(stiffness_along));
         about = 1 / (section.polar_inertia * cell_by(stiffness_about));
         across = 1 / (scene.lateral_mass[node] * cell_by(stiffness_across));
-        turn = 1 / (scene.inertia[node] * cell_by(stiffness_across));
     }
 };
 

@@ -284,6 +284,11 @@ std::vector<FineStretch> stretches_below(const std::vector<SegmentStep>& steps,
     return stretches;
 }
 
+/// Whether a head that is not free moves by the forces on it.
+bool head_yields(const HeadCase& head) {
+    return head.drive || head.hoist || head.motion == HeadMotion::pinned;
+}
+
 /// Rounds in single precision err by kappa 6e-8 of the forces, kappa up to 0.86 p^2.
 bool takes_too_many(const FineStretch& stretch) {
     constexpr int most_substeps = 48;
@@ -330,8 +335,8 @@ StepPlan step_plan(const Scene& scene) {
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
         const double step_without_damping = plan.undamped(plan.bound.step);
         const auto tells_walls = [&](const FineStretch& stretch) {
-            // substeps hold the head that turns as scheduled, not one that turns by torques
-            if (scene.head.drive && stretch.first == 0) return false;
+            // substeps hold a head that moves as scheduled, not one that yields
+            if (stretch.first == 0 && head_yields(scene.head)) return false;
             for (std::size_t k = stretch.first; k <= stretch.end; ++k)
                 if (wall.is_beyond(k, step_without_damping)) return false;
             return true;

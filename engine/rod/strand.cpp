@@ -49,7 +49,7 @@ StrandConstants::StrandConstants(const Scene& scene)
         set(inverse_transverse, 1 / scene.inertia[k]);
         set(weight, scene.weight[k]);
     }
-    if (scene.head.motion == HeadMotion::driven) table_.row(mobile_cell)[0] = 0.0;
+    if (scene.head.motion != HeadMotion::free) table_.row(mobile_cell)[0] = 0.0;
 }
 
 StrandModel::StrandModel(const Scene& scene, Level its_level)

@@ -78,10 +78,10 @@ StrandState initial_state(const StrandString& string) {
         set_stress(state.rod, k,
                    stiffness_of(s).cwiseProduct(scene.initial_strain[k] - stress_free_strain(s)));
     }
-    string.head.prescribe(state.rod, 0.0);
-    state.head = string.head.start();
+    state.head = string.head.start(scene.head_frame.col(0));
     state.wall = string.model.surroundings.wall_at(positions(poses_from_strains(
         {scene.head_frame, scene.head_position}, scene.mesh.length, scene.initial_strain)));
+    string.head.prescribe(state.rod, inertia_of(scene, 0, fluid_mass_at(state.wall, 0)), 0.0);
     state.accounts = Accounts(state.rod.blocks());
     state.power.surroundings.resize(state.rod.blocks());
     state.statistics.smallest_step = std::numeric_limits<double>::infinity();
@@ -139,13 +139,19 @@ double kinetic_energy_of(const StrandString& string, const StrandState& state, s
                           momentum_of(state.rod, node));
 }
 
+/// Of the head's kinetic energy (J) what prescribed motion gives it.
+double prescribed_energy(const StrandString& string, const StrandState& state) {
+    const double rate = velocity_of(string.scene, state.rod, state.wall, 0)[0];
+    return string.head.prescribed_energy(kinetic_energy_of(string, state, 0), rate);
+}
+
 }  // namespace
 
 EnergyOrigin energy_origin(const StrandString& string, const StrandState& state) {
     const Scene& scene = string.scene;
     const std::vector<Vector3d> position = positions(poses(string, state));
     EnergyOrigin origin;
-    if (string.head.is_driven()) origin.head = kinetic_energy_of(string, state, 0);
+    origin.head = prescribed_energy(string, state);
     origin.potential = potential_energy(scene, position);
     origin.springs =
         spring_energy(scene, contacts_of(string.model.surroundings, state.wall, position));
@@ -170,7 +176,8 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     const Vector6 on_head = first_wrench(string, state);
     const Eigen::Matrix3d frame = string.head.pose(state.head, time).frame;
     record.hook_load = string.head.hook_load(
-        frame * on_head.tail<3>() + mud_on_head(scene, string.model.surroundings), time);
+        frame * on_head.tail<3>() + mud_on_head(scene, string.model.surroundings), frame.col(0),
+        time);
     record.surface_torque = string.head.surface_torque(on_head[0], time);
     record.drive_torque = record.surface_torque;
     record.weight_on_bit = string.bit.loads().weight(time);
@@ -184,8 +191,7 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     energy.elastic = elastic_energy(scene, stress);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
-    if (string.head.is_driven())
-        energy.work += kinetic_energy_of(string, state, 0) - state.origin.head;
+    energy.work += prescribed_energy(string, state) - state.origin.head;
     NodeReport nodes{contacts_of(string.model.surroundings, state.wall, position), {}};
     for (std::size_t k = 0; k <= last; ++k) {
         const Vector6 velocity = velocity_of(scene, state.rod, state.wall, k);

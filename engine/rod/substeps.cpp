@@ -49,7 +49,7 @@ BlockTable constants_of(const Scene& scene, const std::vector<ExpectedLoad>& loa
     for (std::size_t i = 0; i < nodes; ++i) {
         const std::size_t k = stretch.first + i;
         const double length = mesh.cell[k];
-        const bool held = k == 0 && scene.head.motion == HeadMotion::driven;
+        const bool held = k == 0 && scene.head.motion != HeadMotion::free;
         const auto set = [&](std::size_t row, std::size_t inverse, double value) {
             table.row(row)[i] = held ? 0.0 : value;
             table.row(inverse)[i] = held ? 0.0 : 1 / value;

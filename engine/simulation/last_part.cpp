@@ -35,8 +35,11 @@ double last_change(const Scene& scene) {
     const auto follow = [&](const auto& schedule) {
         last = std::max(last, schedule.times().back());
     };
-    if (scene.head.motion == HeadMotion::driven) {
+    if (scene.head.motion != HeadMotion::free) {
         follow(scene.head.rotation);
+        follow(scene.head.tilting);
+        follow(scene.head.velocity);
+        if (scene.head.hoist) follow(scene.head.hoist->block_speed);
     } else {
         follow(scene.head.force);
         follow(scene.head.moment);

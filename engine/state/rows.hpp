@@ -150,17 +150,23 @@ struct HeadState {
     double angle = 0;
     double lag = 0;
     double drive_torque = 0;
+    double stretch = 0;
+    double off_bottom_load = 0;
+    Eigen::Vector3d resets = Eigen::Vector3d::Zero();
     double work = 0;
 };
 // clang-format off
 template <>
 inline constexpr auto field_list<HeadState> = std::to_array<Field<HeadState>>({
-    {&HeadState::d1,         "d1",         "1", "leapfrog, free head: a direction that goes along with its section"},
-    {&HeadState::position,   "position",   "m", "dormand-prince, free head: x"},
-    {&HeadState::quaternion, "quaternion", "1", "dormand-prince, free head: frame, (x, y, z, w)"},
+    {&HeadState::d1,         "d1",         "1", "leapfrog, head that tilts: a direction that goes along with its section"},
+    {&HeadState::position,   "position",   "m", "dormand-prince, head that moves: x"},
+    {&HeadState::quaternion, "quaternion", "1", "dormand-prince, head that moves or tilts: frame, (x, y, z, w)"},
     {&HeadState::angle,      "angle",      "rad", "drive: turn about d3 since the start"},
     {&HeadState::lag,        "lag",        "rad", "drive: integral of set rate less rate, as its control counts it"},
     {&HeadState::drive_torque, "drive_torque", "N m", "drive: of the motor, mean over the last step"},
+    {&HeadState::stretch,    "stretch",    "m", "hoist: of its lines by what they carry; negative: slack"},
+    {&HeadState::off_bottom_load, "off_bottom_load", "N", "autodriller: hook load with the bit off bottom"},
+    {&HeadState::resets,     "resets",     "m/s", "autodriller: drum speed to which each loop comes back: weight, rate, torque"},
     {&HeadState::work,       "work",       "J", "done by the outside on the rod at its head"},
 });
 // clang-format on

@@ -1,5 +1,6 @@
 #include "statics/balance.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +14,7 @@ namespace drillstrand {
 using Eigen::Vector3d;
 
 Balance::Balance(const Scene& scene, const LoadCase& loads)
-    : scene_(scene), head_(scene), bit_(scene), loads_(loads) {
+    : scene_(scene), head_(scene), bit_(scene), loads_(loads), first_(first_moving_node(scene)) {
     if (scene.well) {
         const Well& well = *scene.well;
         std::size_t guess = well.arc_at(well.measured_depth_start());
@@ -117,11 +118,11 @@ void Balance::add_rounding(const RodState& state, std::size_t segment, double pu
     sum.energy_rounding += (pull + 0.5 * force) * r;
 
     const auto add = [&](std::size_t at, double wall) {
-        Imbalance::Rounding& its = sum.rounding[at - 1];
+        Imbalance::Rounding& its = sum.rounding[at - first_];
         its.force += force + wall;
         its.couple += couple + scene_.mesh.node[at].outer_radius * wall;
     };
-    if (segment > 0) add(segment, 0);
+    if (segment >= first_) add(segment, 0);
     double wall = 0;
     if (scene_.well)
         wall = std::min(scene_.well->arcs()[arc_[node]].firmness * scene_.normal_stiffness[node],
@@ -130,12 +131,34 @@ void Balance::add_rounding(const RodState& state, std::size_t segment, double pu
     add(node, wall);
 }
 
+/// What a pinned head may do: turn across its director.
+Matrix6 Balance::tilt_of(const RodState& state) {
+    const Vector3d& t = state.director.front();
+    Matrix6 tilt = Matrix6::Zero();
+    tilt.bottomRightCorner<3, 3>() = Eigen::Matrix3d::Identity() - t * t.transpose();
+    return tilt;
+}
+
+/// A pinned head yields by its tilt alone. What projects on it turns with the director: of a torque
+/// T about it, T (dq x t) goes over to the tilt.
+void Balance::pin_head(const RodState& state, BlockTridiagonal& matrix) const {
+    const Vector3d& t = state.director.front();
+    const double torque = segment_forces(segment(state, 0)).on_a.tail<3>().dot(t);
+    const Matrix6 tilt = tilt_of(state);
+    for (int i = 0; i < 3; ++i)
+        matrix.diagonal[0].block<3, 1>(3, 3 + i) += torque * Vector3d::Unit(i).cross(t);
+    matrix.diagonal[0] = tilt * matrix.diagonal[0] * tilt + Matrix6::Identity() - tilt;
+    matrix.upper[0] = tilt * matrix.upper[0];
+    matrix.lower[1] = matrix.lower[1] * tilt;
+}
+
 Imbalance Balance::imbalance(const RodState& state) {
     const std::size_t segments = state.twist.size();
     Imbalance sum;
-    sum.rounding.resize(segments);
-    sum.force.assign(segments, Vector6::Zero());
-    sum.loose.assign(segments, Vector6::Zero());
+    const std::size_t moving = segments + 1 - first_;
+    sum.rounding.resize(moving);
+    sum.force.assign(moving, Vector6::Zero());
+    sum.loose.assign(moving, Vector6::Zero());
     const auto add_energy = [&](double energy) {
         sum.energy += energy;
         sum.energy_sum += std::abs(energy);
@@ -146,33 +169,35 @@ Imbalance Balance::imbalance(const RodState& state) {
     };
     for (std::size_t k = 0; k < segments; ++k) {
         const SegmentForces forces = segment_forces(segment(state, k));
-        if (k > 0) sum.force[k - 1] += forces.on_a;
-        sum.force[k] += forces.on_b;
+        const std::size_t node = k + 1;
+        const std::size_t b = node - first_;
+        if (k >= first_) sum.force[k - first_] += forces.on_a;
+        sum.force[b] += forces.on_b;
         add_energy(forces.energy);
         add_rounding(state, k, forces.on_a.head<3>().norm(), sum);
 
-        const std::size_t node = k + 1;
         const Vector3d weight =
             loads_.weight * scene_.mesh.cell[node] * scene_.weight[node] * scene_.down;
-        sum.force[k].head<3>() += weight;
+        sum.force[b].head<3>() += weight;
         add_energy(-weight.dot(sunk(node)));
         if (!scene_.well) continue;
         if (!mud_.empty()) {
             const Vector3d pushed = mud_force(state, node);
-            sum.force[k].head<3>() += pushed;
-            sum.loose[k].head<3>() += pushed;
+            sum.force[b].head<3>() += pushed;
+            sum.loose[b].head<3>() += pushed;
         }
         const WallLoad wall = wall_load(site(state, node));
-        sum.force[k] += wall.load;
-        sum.loose[k].head<3>() += wall.friction;
-        sum.loose[k].tail<3>() += wall.load.tail<3>();
+        sum.force[b] += wall.load;
+        sum.loose[b].head<3>() += wall.friction;
+        sum.loose[b].tail<3>() += wall.load.tail<3>();
         add_energy(wall.energy);
         if (held_friction_.empty()) continue;
         const Vector6& held = held_friction_[node];
-        sum.force[k] += held;
-        sum.loose[k].tail<3>() += held.tail<3>();
+        sum.force[b] += held;
+        sum.loose[b].tail<3>() += held.tail<3>();
         add_energy(-held.head<3>().dot(sunk(node)));
     }
+    if (first_ == 0) sum.force.front() = tilt_of(state) * sum.force.front();
     const BitLoad on_bit = bit(state);
     sum.force.back() += on_bit.load;
     sum.loose.back() += on_bit.load;
@@ -186,22 +211,24 @@ void Balance::stiffness(const RodState& state, BlockTridiagonal& matrix) {
     matrix.set_zero();
     for (std::size_t k = 0; k < segments; ++k) {
         const SegmentTangent d = segment_tangent(segment(state, k));
-        if (k > 0) {
-            matrix.diagonal[k - 1] -= d.aa;
-            matrix.upper[k - 1] -= d.ab;
-            matrix.lower[k] -= d.ba;
+        const std::size_t b = k + 1 - first_;
+        if (k >= first_) {
+            matrix.diagonal[b - 1] -= d.aa;
+            matrix.upper[b - 1] -= d.ab;
+            matrix.lower[b] -= d.ba;
         }
-        matrix.diagonal[k] -= d.bb;
-        if (scene_.well) matrix.diagonal[k] -= wall_tangent(site(state, k + 1));
-        if (!mud_.empty()) matrix.diagonal[k].topLeftCorner<3, 3>() -= mud_tangent(state, k + 1);
+        matrix.diagonal[b] -= d.bb;
+        if (scene_.well) matrix.diagonal[b] -= wall_tangent(site(state, k + 1));
+        if (!mud_.empty()) matrix.diagonal[b].topLeftCorner<3, 3>() -= mud_tangent(state, k + 1);
     }
+    if (first_ == 0) pin_head(state, matrix);
     matrix.diagonal.back() -= bit(state).tangent;
 }
 
 double Balance::hook_load(const RodState& state) const {
     Vector3d pull = segment_forces(segment(state, 0)).on_a.head<3>();
     if (!mud_.empty()) pull += mud_.front() * state.director.front();
-    return head_.hook_load(pull, loads_.bit.time);
+    return head_.hook_load(pull, state.director.front(), loads_.bit.time);
 }
 
 double Balance::surface_torque(const RodState& state) const {

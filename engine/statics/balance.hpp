@@ -28,10 +28,10 @@ struct LoadCase {
     MudMotion mud;  ///< as the balance was built with
 };
 
-/// Forces (N) and couples (N m) out of balance on each node but the head, and the energy of those
+/// Forces (N) and couples (N m) out of balance on each node that moves, and the energy of those
 /// that have a potential.
 struct Imbalance {
-    NodeMotion force;       ///< sum of all loads, N entries
+    NodeMotion force;       ///< sum of all loads
     NodeMotion loose;       ///< of these, the loads without a potential
     double energy = 0;      ///< strain, walls, weight and dead forces (J)
     double energy_sum = 0;  ///< sum of the magnitudes of its parts (J)
@@ -91,12 +91,15 @@ class Balance {
     [[nodiscard]] Eigen::Matrix3d mud_tangent(const RodState& state, std::size_t node);
     void add_rounding(const RodState& state, std::size_t segment, double pull,
                       Imbalance& sum) const;
+    static Matrix6 tilt_of(const RodState& state);
+    void pin_head(const RodState& state, BlockTridiagonal& matrix) const;
 
     const Scene& scene_;
     Head head_;
     Bit bit_;
     LoadCase loads_;
     std::vector<double> mud_;             ///< per node, down the well (N); empty: at rest
+    std::size_t first_;                   ///< node that moves
     std::vector<Vector6> held_friction_;  ///< per node (N, N m); empty: as the state has it
     std::vector<std::size_t> arc_;        ///< per node, where it was last
 };

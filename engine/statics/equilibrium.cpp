@@ -17,6 +17,7 @@ void report(const Scene& scene, EquilibriumSearch& search, Equilibrium& result) 
     Scene at_rest = scene;
     at_rest.initial_nodes = result.nodes;
     at_rest.head.rotation = {};
+    at_rest.head.tilting = at_rest.head.velocity = {};
     const DirectorString string(at_rest);
     const DirectorState state = initial_state(string);
     result.series = series_record(string, state);
@@ -97,6 +98,9 @@ Equilibrium find_equilibrium(const Scene& scene, const EquilibriumOptions& optio
     result.series.bit_torque = search.balance().bit_torque();
     result.hook_load = search.balance().hook_load(search.state());
     result.surface_torque = search.balance().surface_torque(search.state());
+    if (scene.head.hoist)
+        result.series.dead_line_tension +=
+            (result.hook_load - result.series.hook_load) / scene.head.hoist->lines;
     result.series.hook_load = result.hook_load;
     result.series.surface_torque = result.surface_torque;
     const Vector6 on_bit = search.balance().bit(search.state()).load;

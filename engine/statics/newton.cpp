@@ -48,13 +48,14 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
       balance_(balance),
       budget_(budget),
       rule_(scene.well ? StepRule::nodes : StepRule::strains),
-      stiffness_(scene.mesh.length.size()) {
-    const std::size_t segments = scene.mesh.length.size();
+      first_(first_moving_node(scene)),
+      stiffness_(scene.mesh.node.size() - first_) {
     std::size_t arc = 0;
-    for (std::size_t node = 1; node <= segments; ++node) {
-        const double h = scene.mesh.length[node - 1];
+    for (std::size_t node = first_; node < scene.mesh.node.size(); ++node) {
+        const std::size_t segment = node > 0 ? node - 1 : 0;
+        const double h = scene.mesh.length[segment];
         if (!scene.well) {
-            const double bending = scene.mesh.segment[node - 1].bending_stiffness;
+            const double bending = scene.mesh.segment[segment].bending_stiffness;
             across_.emplace_back(Matrix3d::Identity());
             firmness_.push_back(scene.mesh.cell[node] * bending /
                                 std::pow(scene.mesh.node_s.back(), 4));
@@ -73,7 +74,8 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
                                          1e-4 * scene.normal_stiffness[node]));
             span_.push_back(clearance);
         }
-        turning_.push_back(h * h / 12);
+        // a bed across the well would take the spin of a pinned head for tilt
+        turning_.push_back(node > 0 ? h * h / 12 : 0.0);
     }
 }
 

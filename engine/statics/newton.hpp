@@ -41,7 +41,7 @@ class Newton {
 
     [[nodiscard]] int iterations() const { return iterations_; }
     /// Between the pipe and the hole at a node's place in the beginning (m).
-    [[nodiscard]] double clearance(std::size_t node) const { return span_[node - 1]; }
+    [[nodiscard]] double clearance(std::size_t node) const { return span_[node - first_]; }
 
   private:
     enum class Verdict { not_firm, too_far, uphill, taken };
@@ -85,8 +85,9 @@ class Newton {
     int budget_;
     int iterations_ = 0;
     StepRule rule_;
+    std::size_t first_;  ///< node that moves
     BlockTridiagonal stiffness_;
-    // per node but the head
+    // per node that moves
     std::vector<Eigen::Matrix3d> across_;  ///< projection on what the bed holds
     std::vector<double> firmness_;         ///< of the bed of unit strength (N/m)
     std::vector<double> turning_;          ///< its stiffness against turns, per firmness (m2)

@@ -129,9 +129,14 @@ RodState moved(const RodState& state, const std::vector<double>& length, const N
     RodState next = state;
     Vector6 before = Vector6::Zero();
     double spin_before = 0;
-    for (std::size_t k = 0; k < motion.size(); ++k) {
+    const std::size_t heads = motion.size() - length.size();
+    if (heads > 0) {
+        before = scale * motion.front();
+        turn_rigidly(next, 0, before.tail<3>());
+    }
+    for (std::size_t k = 0; k < length.size(); ++k) {
         const std::size_t node = k + 1;
-        const Vector6 now = scale * motion[k];
+        const Vector6 now = scale * motion[k + heads];
         const Vector3d rotation = now.tail<3>();
         const Vector3d& t = state.director[node];
         const double spin = rotation.dot(t);

@@ -10,7 +10,12 @@
 
 namespace drillstrand {
 
-/// Displacement (m) and rotation vector (rad), space frame, of each node but the head: N entries.
+/// The first node that moves: that after a clamped head, or a pinned head, which tilts.
+inline std::size_t first_moving_node(const Scene& scene) {
+    return scene.head.motion == HeadMotion::pinned ? 0 : 1;
+}
+
+/// Displacement (m) and rotation vector (rad), space frame, of each node that moves.
 using NodeMotion = std::vector<Vector6>;
 
 struct RodState {

@@ -234,7 +234,7 @@ void EquilibriumSearch::fail() {
         std::max_element(force.begin(), force.end(), [](const auto& a, const auto& b) {
             return a.template head<3>().norm() < b.template head<3>().norm();
         });
-    const auto node = static_cast<std::size_t>(worst - force.begin()) + 1;
+    const auto node = static_cast<std::size_t>(worst - force.begin()) + first_moving_node(scene_);
     throw SimulationError(
         fmt::format("no equilibrium found in {} iterations: {:.3g} N remain out of balance near "
                     "node {}, {:.1f} "

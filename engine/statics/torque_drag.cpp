@@ -306,10 +306,10 @@ void check(const Case& input) {
         throw InputError(where,
                          "torque and drag need a well; add a table [well] with survey and "
                          "diameter");
-    if (input.head.motion == HeadMotion::free)
+    if (input.head.motion != HeadMotion::driven)
         throw InputError(where,
-                         "head.motion is \"free\"; torque and drag need a head that holds the "
-                         "string, \"driven\"");
+                         "head.motion is not \"driven\"; torque and drag need a head that clamps "
+                         "the string");
     if (input.head.position && !input.head.position->isZero(0))
         throw InputError(where,
                          "head.position is not the start of the well, from where torque and drag "

@@ -153,7 +153,11 @@ struct MeshCase {
     bool segment_inertia = false;  ///< dormand-prince: rotary inertia of rigid pieces
 };
 
-enum class HeadMotion { driven, free };
+enum class HeadMotion {
+    driven,  ///< place, directions and turn are prescribed
+    pinned,  ///< stays in its place and turns about d3 as prescribed, free to tilt
+    free,    ///< loaded by dead forces
+};
 
 /// How a top drive makes the head follow its set rate.
 enum class DriveControl {
@@ -175,14 +179,51 @@ struct DriveCase {
     double power_limit = std::numeric_limits<double>::infinity();   ///< W
 };
 
+/// A limit of an autodriller, and the loop that keeps it: drum speed = gain e + what it comes back
+/// to.
+struct DrillerLoop {
+    ScalarSchedule limit;
+    double gain = 0;        ///< m/s per unit of the limit
+    double reset_time = 0;  ///< s over which it comes back to the speed that the drum has
+};
+
+/// Feeds the drum as fast as the most limiting of its loops allows.
+struct AutodrillerCase {
+    std::optional<DrillerLoop> weight;  ///< N on the bit, as the hook load tells
+    std::optional<DrillerLoop> rate;    ///< m/s of the block
+    std::optional<DrillerLoop> torque;  ///< N m at the surface
+    /// Hook load with the bit off bottom (N); unset: that at the start of the run.
+    std::optional<double> off_bottom_load;
+};
+
+/// Block and travelling gear on the lines of a drum.
+struct HoistCase {
+    double mass = 0;             ///< of block and travelling gear (kg)
+    double line_stiffness = 0;   ///< of one line between crown and block (N/m)
+    int lines = 1;               ///< that carry the block
+    ScalarSchedule block_speed;  ///< m/s along d3, as the drum feeds the lines
+    /// Hook load (N) above which the brake of a drum that is not driven slips.
+    std::optional<ScalarSchedule> hook_load;
+    std::optional<AutodrillerCase> autodriller;  ///< feeds the drum
+};
+
+struct TimeSpan {
+    double begin = 0;  ///< s
+    double end = 0;    ///< s
+};
+
 struct HeadCase {
     std::optional<Eigen::Vector3d> position;   ///< m, north-east-down; unset: start of the well
     std::optional<Eigen::Vector3d> direction;  ///< unit d3; unset: the well's tangent, or down
     HeadMotion motion = HeadMotion::driven;
     VectorSchedule force;            ///< N, space frame, motion free
     VectorSchedule moment;           ///< N m, space frame, motion free
-    ScalarSchedule rotation;         ///< rad/s about d3, motion driven
-    std::optional<DriveCase> drive;  ///< motion driven; unset: the head turns just as scheduled
+    ScalarSchedule rotation;         ///< rad/s about d3, motion driven or pinned
+    VectorSchedule tilting;          ///< rad/s about d1 and d2 (0 about d3), motion driven
+    VectorSchedule velocity;         ///< m/s along d3, d1, d2, motion driven
+    std::optional<DriveCase> drive;  ///< not motion free; unset: the head turns just as scheduled
+    std::optional<HoistCase> hoist;  ///< motion driven; unset: the head moves just as scheduled
+    std::vector<TimeSpan> slips;     ///< in which slips hold the string, not the hoist
 };
 
 enum class BitDirection { well, follower };

@@ -46,13 +46,14 @@ struct SeriesRecord {
     Eigen::Vector3d bit_position = Eigen::Vector3d::Zero();   ///< m, NED
     double head_rotation_rate = 0;                            ///< rad/s about d3
     double bit_rotation_rate = 0;                             ///< rad/s about d3
-    double hook_load = 0;       ///< N, force along -d3 that holds the head
-    double surface_torque = 0;  ///< N m, couple about d3 of the drive on the head
-    double drive_torque = 0;    ///< N m, of the drive's motor, what turns its inertia included
-    double weight_on_bit = 0;   ///< N, compressive force of the rock on the bit
-    double bit_torque = 0;      ///< N m, of the rock against the rotation of the bit
-    double depth_of_cut = 0;    ///< m that the bit cuts in a turn; 0 by a law that does not tell
-    double drilled = 0;         ///< m, of the bit below the bottom at the start; law cutting
+    double hook_load = 0;          ///< N, force along -d3 that holds the head
+    double dead_line_tension = 0;  ///< N, of one line of the hoist; 0 without one
+    double surface_torque = 0;     ///< N m, couple about d3 of the drive on the head
+    double drive_torque = 0;       ///< N m, of the drive's motor, what turns its inertia included
+    double weight_on_bit = 0;      ///< N, compressive force of the rock on the bit
+    double bit_torque = 0;         ///< N m, of the rock against the rotation of the bit
+    double depth_of_cut = 0;       ///< m that the bit cuts in a turn; 0 by a law that does not tell
+    double drilled = 0;            ///< m, of the bit below the bottom at the start; law cutting
     EnergyAccount energy;
     double step_size = 0;             ///< s, of the last step
     double time_error = 0;            ///< relative, of the last sample; 0 with dormand_prince

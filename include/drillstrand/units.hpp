@@ -21,9 +21,13 @@ inline constexpr Dimension angle{};
 inline constexpr Dimension length{0, 1, 0};
 inline constexpr Dimension time{0, 0, 1};
 inline constexpr Dimension frequency{0, 0, -1};  ///< "Hz" and "rpm" convert to rad/s
+inline constexpr Dimension speed{0, 1, -1};
 inline constexpr Dimension acceleration{0, 1, -2};
 inline constexpr Dimension force{1, 1, -2};
 inline constexpr Dimension moment{1, 2, -2};
+inline constexpr Dimension moment_of_inertia{1, 2, 0};
+inline constexpr Dimension stiffness{1, 0, -2};
+inline constexpr Dimension mass{1, 0, 0};
 inline constexpr Dimension power{1, 2, -3};
 inline constexpr Dimension pressure{1, -1, -2};  ///< also stiffness per length
 inline constexpr Dimension viscosity{1, -1, -1};

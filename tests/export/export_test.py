@@ -31,6 +31,7 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
     "head_rotation_rate[rad/s]": ("head_rotation_rate", None),
     "bit_rotation_rate[rad/s]": ("bit_rotation_rate", None),
     "hook_load[N]": ("hook_load", None),
+    "dead_line_tension[N]": ("dead_line_tension", None),
     "surface_torque[N m]": ("surface_torque", None),
     "drive_torque[N m]": ("drive_torque", None),
     "weight_on_bit[N]": ("weight_on_bit", None),

@@ -417,6 +417,89 @@ TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {
     });
 }
 
+TEST(BadCases, HeadsThatMoveHaveTheirOwnKeys) {
+    const std::string rotation = "rotation = [[0, 0], [2, \"110 rpm\"]]";
+    const auto hoist = [&](const std::string& keys) {
+        return rotation + "\n[head.hoist]\n" + keys;
+    };
+    const std::string block = "mass = 1e4\nline_stiffness = 1e6\n";
+    expect_messages({
+        {rotation, rotation + "\nvelocity = 0.3",
+         "case.toml:32:12: head.velocity is 0.3; expected [x, y, z] or a list of [time, [x, y, z]] "
+         "pairs"},
+        {rotation, "angular_velocity = [1, 0, 0]\n" + rotation,
+         "case.toml:31:20: head.angular_velocity excludes head.rotation; expected one of the two"},
+        {rotation, "motion = \"pinned\"\nvelocity = [1, 0, 0]",
+         "case.toml:32:12: head.velocity has no effect; expected it with head.motion = \"driven\""},
+        {rotation, "velocity = [0, 0.1, 0]\n[head.drive]\ncontrol = \"stiff\"",
+         "case.toml:31:12: head.velocity moves the head across d3; expected none of that with "
+         "head.drive"},
+        {rotation, "velocity = [[0, [0, 0, 0]], [5, [2, 0, 0]]]",
+         "case.toml:31:12: head.velocity takes the bit to 535 m, at 20 s; expected at most 520 m, "
+         "the end of the surveyed well"},
+        {rotation, hoist("mass = 1e4"),
+         "case.toml:32:1: missing key \"head.hoist.line_stiffness\"; expected that of one line, "
+         "such as \"1e6 N/m\""},
+        {rotation, hoist(block + "block_speed = 0.1\nhook_load = 1e5"),
+         "case.toml:36:13: head.hoist.hook_load excludes head.hoist.block_speed; expected one of "
+         "the two"},
+        {rotation, hoist(block + "block_speed = \"2 m/s\""),
+         "case.toml:35:15: head.hoist.block_speed takes the bit to 540 m, at 20 s; expected at "
+         "most 520 m, the end of the surveyed well"},
+        {rotation, "velocity = [1, 0, 0]\n[head.hoist]\n" + block,
+         "case.toml:31:12: head.velocity is for a head without a hoist; expected "
+         "head.hoist.block_speed"},
+        {rotation, "motion = \"pinned\"\n[head.hoist]\n" + block,
+         "case.toml:32:1: head.hoist has no effect; expected it with head.motion = \"driven\""},
+        {rotation, hoist(block + "[head.hoist.autodriller]\noff_bottom_load = 1"),
+         "case.toml:35:1: head.hoist.autodriller has no limit; expected weight, rate or torque"},
+        {rotation, hoist(block + "[head.hoist.autodriller]\nweight = 1e5"),
+         "case.toml:35:1: missing key \"head.hoist.autodriller.weight_gain\"; expected a drum "
+         "speed over an error"},
+        {rotation, hoist(block + "[head.hoist.autodriller]\nrate = 1\nweight_gain = 1"),
+         "case.toml:37:15: head.hoist.autodriller.weight_gain has no effect; expected it with "
+         "head.hoist.autodriller.weight"},
+        {"[run]", "[head.hoist]\n" + block + "[run]\nintegrator = \"dormand-prince\"",
+         "case.toml:37:1: head.hoist is for the leapfrog's rod; expected run.integrator = "
+         "\"leapfrog\""},
+    });
+}
+
+TEST(BadCases, OperationsAreOfKnownWords) {
+    const std::string rotation = "rotation = [[0, 0], [2, \"110 rpm\"]]";
+    const auto list = [](const std::string& operations) {
+        return "operations = [" + operations + "]";
+    };
+    expect_messages({
+        {rotation, list("\"slips in\", \"spin 3 rpm\""),
+         "case.toml:31:27: head.operations.1 is \"spin 3 rpm\"; expected slips in, slips out, "
+         "rotate 120 rpm, trip in 28 m at 0.3 m/s, trip out 28 m at 0.3 m/s, drill 5 m at 20 m/h "
+         "or wait 10 s"},
+        {rotation, list("\"drill 5 m\""),
+         "case.toml:31:15: head.operations.0 is \"drill 5 m\" without a speed; expected drill 5 m "
+         "at 20 m/h"},
+        {rotation, list("\"trip in 3 s at 1 m/s\""),
+         "case.toml:31:15: head.operations.0 is \"trip in 3 s at 1 m/s\": s is a time; expected a "
+         "length such as m, mm, in, ft"},
+        {rotation, list("\"wait -3 s\""),
+         "case.toml:31:15: head.operations.0 is \"wait -3 s\": -3 s is out of range; expected 1e-9 "
+         "to 1e9"},
+        {rotation, list("3"), "case.toml:31:15: head.operations.0 is 3; expected a text in quotes"},
+        {rotation, list("\"wait 10 s\"") + "\n" + rotation,
+         "case.toml:32:12: head.rotation excludes head.operations; expected one of the two"},
+        {rotation, rotation + "\nramp_time = 1",
+         "case.toml:32:13: head.ramp_time has no effect; expected it with head.operations"},
+        {rotation, list("\"trip in 28 m at 5 m/s\""),
+         "case.toml:31:14: head.operations takes the bit to 528 m, at 7.6 s; expected at most 520 "
+         "m, the end of the surveyed well"},
+        {rotation,
+         list("\"wait 10 s\"") +
+             "\n[head.hoist]\nmass = 1e4\nline_stiffness = 1e6\nhook_load = 1e5",
+         "case.toml:31:14: head.operations feeds the drum; expected no head.hoist.block_speed, "
+         "hook_load or autodriller"},
+    });
+}
+
 TEST(BadCases, MeshesThatFollowTheStringHaveTheirOwnKeys) {
     expect_messages({
         {"segments = 50", "segments = 50\nelement_length = 7",

@@ -207,6 +207,62 @@ frequency = 1
                                       short_pipe + R"([head.drive]
 control = "matched"
 filter = 2
+[head.hoist]
+mass = 1e4
+line_stiffness = 1e6
+lines = 8
+hook_load = 1e5
+)",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+[head]
+operations = ["wait 1 s"]
+ramp_time = 1
+[head.hoist]
+mass = 1e4
+line_stiffness = 1e6
+)",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+[head]
+angular_velocity = [1, 0, 0]
+velocity = [0, 0, 0]
+[head.hoist]
+mass = 1e4
+line_stiffness = 1e6
+block_speed = 0.1
+)",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[mesh]
+segments = 5
+[head.hoist]
+mass = 1e4
+line_stiffness = 1e6
+[head.hoist.autodriller]
+weight = 1e5
+weight_gain = 1e-6
+weight_reset = 10
+rate = 0.01
+rate_gain = 1
+rate_reset = 10
+torque = 1e4
+torque_gain = 1e-5
+torque_reset = 10
+off_bottom_load = 1e6
 )"};
 
 std::map<std::string, KeyNote> notes_of_readers() {

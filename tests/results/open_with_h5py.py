@@ -39,6 +39,7 @@ SHAPES = {
     "/series/head_rotation_rate": (4,),
     "/series/bit_rotation_rate": (4,),
     "/series/hook_load": (4,),
+    "/series/dead_line_tension": (4,),
     "/series/surface_torque": (4,),
     "/series/drive_torque": (4,),
     "/series/weight_on_bit": (4,),

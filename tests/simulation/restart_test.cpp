@@ -102,6 +102,22 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.bit.feed = ScalarSchedule(0.01);
         input.bit.off_bottom = 1e-4;
     }
+    if (scenario.name == "MovedHead") {
+        input.head.tilting = {{0, 0.5, 1}, {{0, 0, 0}, {0, 0.02, -0.01}, {0, 0, 0}}};
+        input.head.velocity = {{0, 0.5, 1}, {{0, 0, 0}, {0.5, 0.02, 0}, {-0.5, 0, 0.01}}};
+    }
+    if (scenario.name == "PinnedHead") input.head.motion = HeadMotion::pinned;
+    if (scenario.name == "Hoist" && kind == IntegratorKind::leapfrog) {
+        AutodrillerCase driller;
+        driller.weight = DrillerLoop{20e3, 1e-6, 1};
+        driller.rate = DrillerLoop{0.2, 0.5, 1};
+        HoistCase& hoist = input.head.hoist.emplace();
+        hoist.mass = 2e3;
+        hoist.line_stiffness = 1e6;
+        hoist.lines = 4;
+        hoist.autodriller = driller;
+        input.head.slips = {{0.3, 0.4}};
+    }
     return input;
 }
 
@@ -112,6 +128,9 @@ const std::vector<Scenario> scenarios = {
     {"SlippingBit", pipe_in_well("")},
     {"CuttingBit", pipe_in_well("")},
     {"PumpedMud", pipe_in_well("")},
+    {"MovedHead", pipe_in_well("")},
+    {"PinnedHead", pipe_in_well("")},
+    {"Hoist", pipe_in_well("")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(
         [[string.component]]

@@ -108,6 +108,41 @@ TEST(StaticTangent, IsTheDerivativeOfTheForcesWithWallFrictionAndFollowingLoads)
     }
 }
 
+TEST(StaticTangent, OfAPinnedHeadIsTheDerivativeByItsTilt) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Dice dice(seed);
+        Scene scene = trial_scene(seed % 2 == 0, seed % 3 == 0, false);
+        const RodState state = bent_state(scene, dice, 0.2);
+        scene.head.motion = HeadMotion::pinned;
+        Balance balance(scene, trial_loads());
+        const std::size_t nodes = state.twist.size() + 1;
+        BlockTridiagonal stiffness(nodes);
+        balance.stiffness(state, stiffness);
+        NodeMotion direction(nodes);
+        for (Vector6& node : direction)
+            node << dice.vector(1), dice.vector(1);
+        const Vector3d& t = state.director.front();
+        const auto tilt = [&t](Vector6& head) {
+            head.head<3>().setZero();
+            head.tail<3>() -= head.tail<3>().dot(t) * t;
+        };
+        tilt(direction.front());
+        const NodeMotion expected = product(stiffness, direction);
+        constexpr double step = 1e-5;
+        const auto forces = [&](double scale) {
+            return balance
+                .imbalance(moved(state, scene.mesh.length, direction, scale, StepRule::nodes))
+                .force;
+        };
+        NodeMotion difference = forces(-step);
+        const NodeMotion ahead = forces(step);
+        for (std::size_t k = 0; k < nodes; ++k)
+            difference[k] = (difference[k] - ahead[k]) / (2 * step) - expected[k];
+        tilt(difference.front());
+        EXPECT_LT(largest(difference), 1e-8 * largest(expected)) << "seed " << seed;
+    }
+}
+
 TEST(StaticTangent, IsSymmetricInEquilibriumWhereAllLoadsHaveAPotential) {
     Case input =
         test::case_from("gravity = 0\n" + test::rod({6, 1.3, 0.9, 2.1, 1.7}) + test::mesh(6) +

@@ -25,10 +25,9 @@ namespace drillstrand::program {
 namespace {
 
 StraightRod rod_of(const Case& input, const Scene& scene, Discretisation discretisation) {
-    if (scene.head.motion == HeadMotion::free)
+    if (scene.head.motion != HeadMotion::driven)
         throw InputError({input.path.string()},
-                         "head.motion = \"free\": nothing holds the string against a load; "
-                         "buckling needs a clamped head, motion = \"driven\"");
+                         "head.motion is not \"driven\": buckling needs a clamped head");
     return straight_rod(scene, discretisation);
 }
 

@@ -269,17 +269,40 @@ std::string drive_text(const DriveCase& drive) {
     return text;
 }
 
+std::string hoist_text(const HoistCase& hoist) {
+    const std::string drum =
+        hoist.autodriller ? "autodriller"
+        : hoist.hook_load
+            ? fmt::format("brake slips at up to {}", force_text(largest(*hoist.hook_load)))
+            : fmt::format("block speed up to {:.4g} m/s", largest(hoist.block_speed));
+    return fmt::format("{:.4g} kg on {} lines of {:.4g} N/m each, {}", hoist.mass, hoist.lines,
+                       hoist.line_stiffness, drum);
+}
+
+std::string head_text(const HeadCase& head) {
+    if (head.motion == HeadMotion::free)
+        return fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
+                           largest(head.force), largest(head.moment));
+    const double rate = largest(head.rotation);
+    std::string text =
+        fmt::format("{}, rotation up to {:.4g} rad/s ({:.4g} rpm)",
+                    head.motion == HeadMotion::pinned                    ? "pinned in its place"
+                    : head.hoist                                         ? "on its hoist"
+                    : largest(head.velocity) + largest(head.tilting) > 0 ? "moved"
+                                                                         : "held in place",
+                    rate, rate / unit_factor("rpm", dimension::frequency));
+    if (largest(head.velocity) > 0)
+        text += fmt::format(", velocity up to {:.4g} m/s", largest(head.velocity));
+    if (largest(head.tilting) > 0)
+        text += fmt::format(", tilting at up to {:.4g} rad/s", largest(head.tilting));
+    return text;
+}
+
 void print_loads(const Scene& scene) {
     fmt::print("Loads and motion\n");
-    if (scene.head.motion == HeadMotion::driven) {
-        const double speed = largest(scene.head.rotation);
-        line("head", fmt::format("held in place, rotation up to {:.4g} rad/s ({:.4g} rpm)", speed,
-                                 speed / unit_factor("rpm", dimension::frequency)));
-    } else {
-        line("head", fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
-                                 largest(scene.head.force), largest(scene.head.moment)));
-    }
+    line("head", head_text(scene.head));
     if (scene.head.drive) line("drive", drive_text(*scene.head.drive));
+    if (scene.head.hoist) line("hoist", hoist_text(*scene.head.hoist));
     const BitCase& bit = scene.bit;
     if (largest(bit.weight) > 0)
         line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
@@ -483,7 +506,7 @@ bool falls_at_the_start(const Case& input, const Scene& scene) {
     const bool is_heavy = std::any_of(scene.weight.begin(), scene.weight.end(),
                                       [](double weight) { return weight != 0; });
     return scene.features.well && is_heavy && input.initial.state == InitialState::coaxial &&
-           input.head.motion == HeadMotion::driven &&
+           input.head.motion != HeadMotion::free &&
            input.run.integrator == IntegratorKind::leapfrog;
 }
 
