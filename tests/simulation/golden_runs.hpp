@@ -39,6 +39,7 @@ inline constexpr GoldenRun golden_runs[] = {
     {"well3_paper",           {3,   "7a8bf1c5b0838987"}, {0.002, "ce102024fffcf010"}},
     {"stick_slip",          {3,   "1a29da15cf13db7f"}, {0, ""}},
     {"stick_slip_matched_drive", {3, "a9602a13e3181ff1"}, {0, ""}},
+    {"connection",          {3,   "bfbf76915bdf7395"}, {0, ""}},
     {"torque_drag",         {3,   "de3d2947d2773c0a"}, {0.002, "b5bb571286ef63cb"}},
     {"pumped_mud",          {3,   "cf0ecd476c409dfd"}, {0.002, "ee67279f41523ca0"}},
     {"field_units",         {0.05, "9cfeb0fdf7284d9"}, {0.0001, "5f42f4bc3a941bef"}},
