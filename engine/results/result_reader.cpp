@@ -40,6 +40,9 @@ void read_attributes(const H5::Group& root, Result& result) {
     hdf5::read_attribute(root, "energy_residual", footer.energy_residual);
     hdf5::read_attribute(root, "largest_penetration", footer.largest_penetration);
     hdf5::read_attribute(root, "time_error_median", footer.time_error_median);
+    hdf5::read_attribute(root, "stick_slip_index", footer.stick_slip_index);
+    hdf5::read_attribute(root, "stuck_share", footer.stuck_share);
+    hdf5::read_attribute(root, "unloaded_share", footer.unloaded_share);
     hdf5::read_attribute(root, "warnings", footer.warnings);
     if (root.attrExists("findings")) hdf5::read_attribute(root, "findings", footer.findings);
 }

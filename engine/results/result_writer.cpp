@@ -320,6 +320,9 @@ struct OpenFile {
         hdf5::write_attribute(root, "energy_residual", footer.energy_residual);
         hdf5::write_attribute(root, "largest_penetration", footer.largest_penetration);
         hdf5::write_attribute(root, "time_error_median", footer.time_error_median);
+        hdf5::write_attribute(root, "stick_slip_index", footer.stick_slip_index);
+        hdf5::write_attribute(root, "stuck_share", footer.stuck_share);
+        hdf5::write_attribute(root, "unloaded_share", footer.unloaded_share);
     }
 
     void write_texts(const ResultFooter& footer) {

@@ -21,13 +21,15 @@ constexpr double much_whirl = 0.3;        // of the string
 constexpr double rolls = 0.8;             // of the rate without slip: below it the pipe slides
 constexpr double much_of_bit = 0.2;       // of the weight on bit
 constexpr double much_of_hook = 0.02;     // of the hook load
-constexpr double least_rotation = 0.1;    // rad/s, about 1 rpm
+constexpr double least_rotation = 0.1;    // rad/s, about 1 rpm: slower is no rotation
+constexpr double full_stick_slip = 1;     // index of a bit that just comes to rest
+constexpr double moderate_stick_slip = 0.5;
 
-constexpr std::array parts = {&Sample::time,          &Sample::forward,      &Sample::backward,
-                              &Sample::whirl_rate,    &Sample::rolling_rate, &Sample::whirl_depth,
-                              &Sample::kinetic,       &Sample::rotation,     &Sample::drag,
-                              &Sample::drag_size,     &Sample::drag_depth,   &Sample::hook_load,
-                              &Sample::weight_on_bit, &Sample::rotation_rate};
+constexpr std::array parts = {
+    &Sample::time,          &Sample::forward,       &Sample::backward,   &Sample::whirl_rate,
+    &Sample::rolling_rate,  &Sample::whirl_depth,   &Sample::kinetic,    &Sample::rotation,
+    &Sample::drag,          &Sample::drag_size,     &Sample::drag_depth, &Sample::hook_load,
+    &Sample::weight_on_bit, &Sample::rotation_rate, &Sample::bit_rate,   &Sample::bit_load};
 
 /// Time of the last point of any schedule of loads or rotation (s).
 double last_change(const Scene& scene) {
@@ -70,7 +72,9 @@ Sample sample_of(const SeriesRecord& record) {
             drag_size * record.drag_depth,
             record.hook_load,
             record.weight_on_bit,
-            std::abs(record.head_rotation_rate)};
+            std::abs(record.head_rotation_rate),
+            std::copysign(1.0, record.head_rotation_rate) * record.bit_rotation_rate,
+            -record.bit_stress[3]};
 }
 
 double ratio(double a, double b) {
@@ -79,6 +83,33 @@ double ratio(double a, double b) {
 
 bool rotates(const Sample& mean) {
     return mean.rotation_rate >= least_rotation;
+}
+
+bool is_on_bottom(const Sample& mean) {
+    return mean.weight_on_bit > 0;
+}
+
+const char* severity(double stick_slip_index) {
+    if (stick_slip_index >= full_stick_slip) return "full stick-slip";
+    return stick_slip_index >= moderate_stick_slip ? "moderate" : "low";
+}
+
+std::string stick_slip_text(const BitConduct& bit) {
+    const std::string index =
+        std::isfinite(bit.stick_slip_index)
+            ? fmt::format("index {:.3g} ({})", bit.stick_slip_index, severity(bit.stick_slip_index))
+            : "the bit hardly turns";
+    return fmt::format(
+        "{}; the bit turns at {:.3g} to {:.3g} rad/s, mean {:.3g} rad/s, and is stuck for {:.0f} % "
+        "of the time",
+        index, bit.least_rate, bit.most_rate, bit.mean_rate, 100 * bit.stuck);
+}
+
+std::string bounce_text(const BitConduct& bit) {
+    return fmt::format(
+        "the bit carries no load for {:.0f} % of the time; compression above it "
+        "{:.4g} to {:.4g} kN",
+        100 * bit.unloaded, 1e-3 * bit.least_load, 1e-3 * bit.most_load);
 }
 
 std::string energy_text(const Sample& mean) {
@@ -153,7 +184,7 @@ LastPart::LastPart(const Scene& scene, double start)
     : well_(scene.well.has_value()), start_(start), loads_change_until_(last_change(scene)) {}
 
 void LastPart::add(const SeriesRecord& record) {
-    if (!well_ || record.time < start_) return;
+    if (record.time < start_) return;
     if (!samples_.empty() && record.time - samples_.back().time < least_interval) return;
     samples_.push_back(sample_of(record));
     double from = record.time - std::min(longest, share_of_run * record.time);
@@ -181,10 +212,49 @@ Sample LastPart::mean() const {
     return mean;
 }
 
+BitConduct LastPart::bit() const {
+    BitConduct bit;
+    if (samples_.empty()) return bit;
+    const auto rate_order = [](const Sample& a, const Sample& b) {
+        return a.bit_rate < b.bit_rate;
+    };
+    const auto load_order = [](const Sample& a, const Sample& b) {
+        return a.bit_load < b.bit_load;
+    };
+    const auto [slowest, fastest] =
+        std::minmax_element(samples_.begin(), samples_.end(), rate_order);
+    const auto [lightest, heaviest] =
+        std::minmax_element(samples_.begin(), samples_.end(), load_order);
+    bit.least_rate = slowest->bit_rate;
+    bit.most_rate = fastest->bit_rate;
+    bit.least_load = lightest->bit_load;
+    bit.most_load = heaviest->bit_load;
+    const Sample found = mean();
+    bit.mean_rate = found.bit_rate;
+    const auto share = [&](auto&& holds) {
+        return static_cast<double>(std::count_if(samples_.begin(), samples_.end(), holds)) /
+               static_cast<double>(samples_.size());
+    };
+    if (rotates(found)) {
+        bit.stick_slip_index = bit.mean_rate >= least_rotation
+                                   ? (bit.most_rate - bit.least_rate) / (2 * bit.mean_rate)
+                                   : INFINITY;
+        bit.stuck = share([](const Sample& sample) { return sample.bit_rate < least_rotation; });
+    }
+    if (is_on_bottom(found))
+        bit.unloaded = share([](const Sample& sample) { return sample.bit_load <= 0; });
+    return bit;
+}
+
 std::vector<std::string> LastPart::findings() const {
     if (samples_.size() < 2) return {};
     const Sample found = mean();
     std::vector<std::string> lines;
+    if (rotates(found))
+        lines.push_back(fmt::format("stick-slip: {}: {}", when(), stick_slip_text(bit())));
+    if (is_on_bottom(found))
+        lines.push_back(fmt::format("bounce: {}: {}", when(), bounce_text(bit())));
+    if (!well_) return lines;
     if (rotates(found) || whirls_much(found))
         lines.push_back(fmt::format("whirl: {}: {}", when(), whirl_text(found)));
     lines.push_back(fmt::format("walls: {}: {}", when(), drag_text(found)));
@@ -202,7 +272,8 @@ std::vector<std::string> LastPart::warnings() const {
 
 SavedState LastPart::save() const {
     SavedRow row{"last_part",
-                 "1, then s, 1, 1, rad/s, rad/s, m, J, J, N, N, N m, N, N, rad/s of each sample",
+                 "1, then s, 1, 1, rad/s, rad/s, m, J, J, N, N, N m, N, N, rad/s, rad/s, N of each "
+                 "sample",
                  {static_cast<double>(samples_.size())}};
     for (const Sample& sample : samples_)
         for (const auto part : parts)

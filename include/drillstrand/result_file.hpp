@@ -55,6 +55,9 @@ struct ResultFooter {
     double energy_residual = 0;      ///< EnergyAudit::residual()
     double largest_penetration = 0;  ///< m
     double time_error_median = 0;    ///< RunSummary::time_error_median()
+    double stick_slip_index = 0;     ///< of RunSummary::bit(), as the next two
+    double stuck_share = 0;
+    double unloaded_share = 0;
     std::vector<std::string> warnings;
     std::vector<std::string> findings;  ///< RunSummary::findings()
     StepStatistics statistics;

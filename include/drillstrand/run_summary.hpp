@@ -31,8 +31,11 @@ class RunSummary {
     [[nodiscard]] double time_error_largest() const;
     [[nodiscard]] double time_error_median() const;
 
-    /// What the string did in its well: whirl and what the walls carry, of the last part of the
-    /// run, and the deepest penetration. A line each, "subject: what"; none without a well.
+    /// Of the last part of the run.
+    [[nodiscard]] BitConduct bit() const { return last_part_.bit(); }
+
+    /// What the string did: how the bit turned and pressed, whirl and what the walls carry, of the
+    /// last part of the run, and the deepest penetration. A line each, "subject: what".
     [[nodiscard]] std::vector<std::string> findings() const;
     /// A sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;

@@ -38,7 +38,7 @@ TEST_F(Program, ARunWritesItsResultInTheWorkingDirectory) {
     EXPECT_LT(std::abs(result.footer.energy_residual), 0.01);
 }
 
-TEST_F(Program, ARunInAWellSaysWhatWhirlsAndWhatTheWallsCarryInItsFileAndInInfo) {
+TEST_F(Program, ARunInAWellSaysHowItTurnsAndWhatTheWallsCarryInItsFileAndInInfo) {
     write("well.csv", "md[m],inclination[deg],azimuth[deg]\n0,30,0\n50,30,0\n");
     write("inclined.toml", std::string(pipe_case) +
                                "[well]\nsurvey = \"well.csv\"\n"
@@ -49,14 +49,15 @@ TEST_F(Program, ARunInAWellSaysWhatWhirlsAndWhatTheWallsCarryInItsFileAndInInfo)
              "--set", "run.duration=3", "--set", "output.interval=0.1", "-o", "out.h5"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     const Result result = read_result(desk() / "out.h5");
-    ASSERT_EQ(result.footer.findings.size(), 3U);
+    ASSERT_EQ(result.footer.findings.size(), 4U);
     const Ending info = run({"info", "out.h5"});
     for (const std::string& finding : result.footer.findings) {
         EXPECT_THAT(ending.err, HasSubstr("drillstrand: " + finding + "\n"));
         EXPECT_THAT(info.out, HasSubstr(finding.substr(finding.find(": ") + 2) + "\n"));
     }
     EXPECT_THAT(result.footer.findings,
-                ElementsAre(StartsWith("whirl: in the last 1 s: "),
+                ElementsAre(StartsWith("stick-slip: in the last 1 s: "),
+                            StartsWith("whirl: in the last 1 s: "),
                             StartsWith("walls: in the last 1 s: "), StartsWith("penetration: ")));
 }
 

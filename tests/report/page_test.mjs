@@ -154,7 +154,7 @@ test("every section of a run in a well is there, with the numbers of the result 
     assert.equal(await page.locator("#value-hook-load").textContent(), printed(well["series/hook_load"][last] / 1e3, "kN"));
     assert.equal(await page.locator("#value-torque").textContent(), printed(well["series/surface_torque"][last] / 1e3, "kN m"));
     assert.equal(await page.locator("#value-bit-rotation").textContent(), printed(well["series/bit_rotation_rate"][last] / rpm, "rpm"));
-    assert.deepEqual(well.findings.map((finding) => finding.split(": ")[0]), ["whirl", "walls", "penetration"]);
+    assert.deepEqual(well.findings.map((finding) => finding.split(": ")[0]), ["stick-slip", "whirl", "bounce", "walls", "penetration"]);
     for (const finding of well.findings) {
       const [subject, ...what] = finding.split(": ");
       assert.equal(await page.locator(`#value-finding-${subject}`).textContent(), what.join(": "));

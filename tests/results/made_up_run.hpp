@@ -42,6 +42,9 @@ class MadeUpRun {
         footer.status = status;
         footer.wall_seconds = number();
         footer.energy_residual = number();
+        footer.stick_slip_index = number();
+        footer.stuck_share = number();
+        footer.unloaded_share = number();
         footer.warnings = {"the wall is too soft", "weight does not arrive: 87 kN"};
         footer.findings = {"whirl: 99 % of the string backward", "walls: friction of 87.5 kN"};
         footer.statistics = {123456789012, 345, 740740735, number(), number()};

@@ -85,6 +85,9 @@ TEST(ResultFile, EveryDatasetComesBackBitForBit) {
     EXPECT_EQ(result.footer.status, "complete");
     EXPECT_EQ(result.footer.wall_seconds, footer.wall_seconds);
     EXPECT_EQ(result.footer.energy_residual, footer.energy_residual);
+    EXPECT_EQ(result.footer.stick_slip_index, footer.stick_slip_index);
+    EXPECT_EQ(result.footer.stuck_share, footer.stuck_share);
+    EXPECT_EQ(result.footer.unloaded_share, footer.unloaded_share);
     EXPECT_EQ(result.footer.warnings, footer.warnings);
     EXPECT_EQ(result.footer.findings, footer.findings);
     EXPECT_EQ(result.footer.statistics.steps, footer.statistics.steps);

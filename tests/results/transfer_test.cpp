@@ -51,6 +51,9 @@ TEST(Transfer, EverythingOfARunComesThrough) {
     EXPECT_EQ(got.footer.status, sent.footer.status);
     EXPECT_EQ(got.footer.wall_seconds, sent.footer.wall_seconds);
     EXPECT_EQ(got.footer.energy_residual, sent.footer.energy_residual);
+    EXPECT_EQ(got.footer.stick_slip_index, sent.footer.stick_slip_index);
+    EXPECT_EQ(got.footer.stuck_share, sent.footer.stuck_share);
+    EXPECT_EQ(got.footer.unloaded_share, sent.footer.unloaded_share);
     EXPECT_EQ(got.footer.warnings, sent.footer.warnings);
     EXPECT_EQ(got.footer.findings, sent.footer.findings);
     EXPECT_EQ(got.footer.statistics.steps, sent.footer.statistics.steps);

@@ -92,6 +92,9 @@ TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
         record.penetration_depth = 3 * k;
         record.helix_penetration = 1e-4 * (k % 5);
         record.head_rotation_rate = 10;
+        record.bit_rotation_rate = 3.0 * (k % 8);
+        record.bit_stress[3] = 1000.0 * (k % 5 - 3);
+        record.weight_on_bit = 500;
         record.whirl = {0.1, 0.02 * (k % 9), -3, -4, 50};
         record.wall_drag = 100.0 * (k % 4);
         record.time_error = 1e-4 * (k / 3);
@@ -108,7 +111,8 @@ TEST(RunSummary, GoesOnFromWhatWasSavedAsIfItHadSeenAll) {
     EXPECT_EQ(part.time_error_median(), whole.time_error_median());
     EXPECT_EQ(part.warnings(), whole.warnings());
     EXPECT_EQ(part.findings(), whole.findings());
-    EXPECT_EQ(part.findings().size(), 3U);
+    EXPECT_EQ(part.findings().size(), 5U);
+    EXPECT_EQ(part.bit().stick_slip_index, whole.bit().stick_slip_index);
     EXPECT_THROW(part.restore({}), std::invalid_argument);
 }
 

@@ -256,7 +256,7 @@ Items load_items(const Result& result) {
     return items;
 }
 
-/// What the string did in its well, as the run found it.
+/// What the string did, as the run found it.
 Items finding_items(const ResultFooter& footer) {
     Items items;
     for (const std::string& finding : footer.findings) {
@@ -312,7 +312,7 @@ std::string facts_json(const Result& result) {
     if (result.header.well) groups.push_back(group("Well", well_items(*result.header.well)));
     if (!result.series.empty()) groups.push_back(group("Loads over the run", load_items(result)));
     if (const Items items = finding_items(result.footer); !items.empty())
-        groups.push_back(group("Whirl and walls", items));
+        groups.push_back(group("What happened", items));
     return json_list(groups);
 }
 

@@ -139,6 +139,10 @@ class Recorder : public Observer {
         footer.energy_residual = summary_.energy_residual();
         footer.largest_penetration = summary_.largest_penetration();
         footer.time_error_median = summary_.time_error_median();
+        const BitConduct bit = summary_.bit();
+        footer.stick_slip_index = bit.stick_slip_index;
+        footer.stuck_share = bit.stuck;
+        footer.unloaded_share = bit.unloaded;
         footer.warnings = case_warnings_;
         for (std::string& warning : warnings())
             footer.warnings.push_back(std::move(warning));

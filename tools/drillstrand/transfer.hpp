@@ -215,10 +215,11 @@ void transfer(Pipe& pipe, StepStatistics& statistics) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, ResultFooter& footer) {
-    auto& [status, wall_seconds, energy_residual, largest_penetration, time_error_median, warnings,
-           findings, statistics] = footer;
+    auto& [status, wall_seconds, energy_residual, largest_penetration, time_error_median,
+           stick_slip_index, stuck_share, unloaded_share, warnings, findings, statistics] = footer;
     transfer_all(pipe, status, wall_seconds, energy_residual, largest_penetration,
-                 time_error_median, warnings, findings, statistics);
+                 time_error_median, stick_slip_index, stuck_share, unloaded_share, warnings,
+                 findings, statistics);
 }
 
 /// Records by the table of their datasets, as files hold them.
