@@ -60,6 +60,8 @@ class Result:
     well: dict  # empty without a well
     series: dict
     profiles: dict
+    cycles: dict  # empty where none were counted
+    sensors: dict  # of each sensor's name, what it recorded
     units: dict
     descriptions: dict
 
@@ -136,8 +138,9 @@ def _read(path):
             return values
 
         groups = {group: read_group(group)
-                  for group in ("mesh", "string", "well", "series", "profiles")}
-        return Result(path=path, attributes=dict(file.attrs), units=units,
+                  for group in ("mesh", "string", "well", "series", "profiles", "cycles")}
+        sensors = {name: read_group(f"sensors/{name}") for name in file.get("sensors", {})}
+        return Result(path=path, attributes=dict(file.attrs), units=units, sensors=sensors,
                       descriptions=descriptions, **groups)
 
 

@@ -109,11 +109,11 @@ Case read_case(const std::filesystem::path& path,
     result.gravity =
         root.quantity("gravity", dimension::acceleration, result.gravity, plausible::acceleration);
     result.run = read_run(root);
-    result.output = read_output(root, result.run.duration);
     result.well = read_well(root, folder);
     result.fluid = read_fluid(root);
     const StringInput string = read_string(root, folder);
     result.string = string.string;
+    result.output = read_output(root, result.run.duration, result.string);
     result.mesh = read_mesh(root, string.string);
     result.head = read_head(root);
     result.bit = read_bit(root, result.string);

@@ -8,7 +8,6 @@ namespace drillstrand {
 namespace {
 
 constexpr int most_threads = 4096;
-constexpr double most_records = 1e8;
 
 double read_tolerance(const Value& value, IntegratorKind integrator) {
     if (integrator == IntegratorKind::dormand_prince)
@@ -115,49 +114,6 @@ RunCase read_run(const Table& root) {
     run.threads = table.whole_number("threads", run.threads, 0, most_threads);
     run.reproducible = table.boolean("reproducible", run.reproducible);
     return run;
-}
-
-namespace {
-
-/// Throws InputError where a run would write more records than anybody reads, or at times that
-/// rounding does not tell apart.
-void check_records(const Table& root, const char* key, double interval, double duration) {
-    const double records = duration / interval;
-    if (interval == 0 || records <= most_records) return;
-    const std::string limit = fmt::format("expected at most {:g}, an interval of at least {:.3g} s",
-                                          most_records, duration / most_records);
-    const Value run = *root.find("run");
-    const Value lasting(*(*run.node().as_table())["duration"].node(), "run.duration");
-    const std::optional<Value> output = root.find("output");
-    const toml::node* node = output ? (*output->node().as_table())[key].node() : nullptr;
-    const std::string path = fmt::format("output.{}", key);
-    if (node != nullptr)
-        Value(*node, path)
-            .fail(fmt::format("makes {:.3g} records in {}; {}", records,
-                              lasting.written(dimension::time), limit));
-    // then the duration is what the user wrote
-    lasting.fail(
-        fmt::format("makes {:.3g} records with {} = {:.6g} s; {}", records, path, interval, limit));
-}
-
-}  // namespace
-
-OutputCase read_output(const Table& root, double duration) {
-    const Table table = root.subtable(
-        "output", {"interval", "profile_interval", "checkpoint_interval", "side_force_window"});
-    OutputCase output;
-    output.interval =
-        table.quantity("interval", dimension::time, output.interval, plausible::duration);
-    output.profile_interval = table.quantity("profile_interval", dimension::time,
-                                             output.profile_interval, plausible::duration_or_none);
-    output.checkpoint_interval =
-        table.quantity("checkpoint_interval", dimension::time, output.checkpoint_interval,
-                       plausible::duration_or_none);
-    output.side_force_window = table.quantity("side_force_window", dimension::length,
-                                              output.side_force_window, plausible::length);
-    check_records(root, "interval", output.interval, duration);
-    check_records(root, "profile_interval", output.profile_interval, duration);
-    return output;
 }
 
 }  // namespace drillstrand

@@ -34,8 +34,9 @@ DampingCase read_damping(const Table& root);
 InitialCase read_initial(const Table& root, bool can_rest);
 EquilibriumCase read_equilibrium(const Table& root);
 RunCase read_run(const Table& root);
-/// Needs the duration of the run, which bounds the number of records; 0: none.
-OutputCase read_output(const Table& root, double duration);
+/// Needs the duration of the run, which bounds the number of records (0: none), and the string, in
+/// which sensors have their places.
+OutputCase read_output(const Table& root, double duration, const StringCase& string);
 /// Needs the well and the string, whose place at each depth is checked.
 TorqueDragCase read_torque_drag(const Table& root, const std::optional<WellCase>& well,
                                 const StringInput& string, double interference);

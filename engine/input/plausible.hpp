@@ -49,6 +49,7 @@ inline constexpr Range delay{.low = 0, .high = 1e3};                  // s
 inline constexpr Range instant{.low = -1e12, .high = 1e12};           // s
 inline constexpr Range duration{.low = 1e-9, .high = 1e9};            // s
 inline constexpr Range duration_or_none{.low = 0, .high = 1e9};       // s
+inline constexpr Range slope{.low = 1, .high = 20};                   // 1, of an S-N curve
 inline constexpr Range factor{.low = 1e-6, .high = 1e6};              // 1
 inline constexpr Range factor_or_none{.low = 0, .high = 1e6};         // 1
 inline constexpr Range yield_stress{.low = 0, .high = 1e6};           // Pa

@@ -361,6 +361,14 @@ Profile DormandPrince::profile() const {
     return profile_record(string_, state_);
 }
 
+BendingRecord DormandPrince::bending() const {
+    return bending_record(string_, state_);
+}
+
+std::vector<SensorRecord> DormandPrince::sense(const std::vector<SensorCase>& sensors) const {
+    return sensor_records(string_, state_, sensors);
+}
+
 SavedState DormandPrince::save() const {
     return drillstrand::save(state_);
 }

@@ -22,6 +22,9 @@ class DormandPrince final : public Integrator {
     [[nodiscard]] double time() const override { return state_.clock.time; }
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
+    [[nodiscard]] BendingRecord bending() const override;
+    [[nodiscard]] std::vector<SensorRecord> sense(
+        const std::vector<SensorCase>& sensors) const override;
     [[nodiscard]] StepStatistics statistics() const override { return state_.statistics; }
     [[nodiscard]] int threads() const override { return static_cast<int>(workers_.size()); }
     [[nodiscard]] SavedState save() const override;

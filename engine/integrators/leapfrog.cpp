@@ -275,6 +275,14 @@ Profile Leapfrog::profile() const {
     return profile_record(string_, state_);
 }
 
+BendingRecord Leapfrog::bending() const {
+    return bending_record(string_, state_);
+}
+
+std::vector<SensorRecord> Leapfrog::sense(const std::vector<SensorCase>& sensors) const {
+    return sensor_records(string_, state_, sensors);
+}
+
 StepStatistics Leapfrog::statistics() const {
     StepStatistics statistics = state_.statistics;
     statistics.time_error = state_.time_error.largest;

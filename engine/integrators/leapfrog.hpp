@@ -28,6 +28,9 @@ class Leapfrog final : public Integrator {
     [[nodiscard]] double time() const override { return state_.clock.time; }
     [[nodiscard]] SeriesRecord series() const override;
     [[nodiscard]] Profile profile() const override;
+    [[nodiscard]] BendingRecord bending() const override;
+    [[nodiscard]] std::vector<SensorRecord> sense(
+        const std::vector<SensorCase>& sensors) const override;
     [[nodiscard]] StepStatistics statistics() const override;
     [[nodiscard]] int threads() const override { return team_.members(); }
     [[nodiscard]] std::vector<std::string> warnings() const override;

@@ -42,10 +42,10 @@ SectionProperties section_properties(const Component& component, double shear_co
     section.flow_radius = section.outer_radius;
     section.curvature = component.curvature;
     if (section.outer_radius > 0) {
-        const double section_modulus = area * gyration2 / section.outer_radius;
-        section.yield = {component.yield_strength * area,
-                         component.yield_strength * section_modulus,
-                         component.yield_strength * 2 * section_modulus / std::numbers::sqrt3};
+        section.section_modulus = area * gyration2 / section.outer_radius;
+        section.yield = {
+            component.yield_strength * area, component.yield_strength * section.section_modulus,
+            component.yield_strength * 2 * section.section_modulus / std::numbers::sqrt3};
     }
     return section;
 }
@@ -81,7 +81,7 @@ class Walk {
 
     /// Means from one place to another: arithmetic for what adds up along the string (mass, area,
     /// stress-free curvature), harmonic for stiffnesses, whose compliances add up, the least of
-    /// yield loads. The radius is left out: it is a property of a point.
+    /// yield loads and section moduli. The radius is left out: it is a property of a point.
     SectionProperties mean_over(double from, double to) {
         // Compliances are counted relative to the first stiffness met, so that no digit is lost
         // where all are equal.
@@ -96,6 +96,7 @@ class Walk {
             for (const auto property : lumped_properties)
                 add_to_mean(mean.*property, part.*property, share);
             add_to_mean<Eigen::Vector3d>(mean.curvature, part.curvature, share);
+            mean.section_modulus = std::min(mean.section_modulus, part.section_modulus);
             for (const auto load : yield_loads)
                 mean.yield.*load = std::min(mean.yield.*load, part.yield.*load);
             for (const auto stiffness : stiffnesses)

@@ -318,6 +318,7 @@ Scene scene_of(const Case& input) {
     scene.gravity = input.gravity;
     scene.head = input.head;
     scene.bit = input.bit;
+    scene.gravity = input.gravity;
     scene.local_steps = input.run.local_steps;
     scene.gravity = input.gravity;
     if (input.well) set_well(scene, *input.well);

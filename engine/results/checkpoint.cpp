@@ -136,7 +136,7 @@ fs::path previous_checkpoint_path(const fs::path& checkpoint) {
 
 void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
     NewFile fresh(path, Existing::replace);
-    fresh.held().require_space(bytes_of(checkpoint.state) +
+    fresh.held().require_space(bytes_of(checkpoint.state) + bytes_of(checkpoint.summary) +
                                bytes_of(scene_rows(checkpoint.header)) +
                                checkpoint.header.case_text.size() + metadata_bytes);
     hdf5::attempt<WriteError>(path, "write", [&] { write_file(fresh.path(), checkpoint); });

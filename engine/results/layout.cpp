@@ -34,7 +34,7 @@ struct Stored<Eigen::Matrix<double, size, 1>> {
 
 /// Dataset of the member reached through the chain of member pointers, one value per record.
 template <class Record, auto... members>
-RecordDataset<Record> value(const char* path, const char* units, const char* description) {
+RecordDataset<Record> value(const std::string& path, const char* units, const char* description) {
     using Value = std::remove_cvref_t<decltype((std::declval<Record&>().*....*members))>;
     return {path,
             Rows::one,
@@ -268,6 +268,39 @@ const std::vector<RecordDataset<Profile>>& profile_datasets() {
         profile<&P::side_force>("/profiles/side_force", Rows::nodes, "N/m",
                                 "normal force of the wall per length, mean over the window "
                                 "output.side_force_window around the node"),
+        profile<&P::whirl_rate>("/profiles/whirl_rate", Rows::nodes, "rad/s",
+                                "rate around the well's axis, negative against the rotation, 0 of "
+                                "what does not whirl"),
+    };
+    return table;
+}
+
+std::vector<RecordDataset<SensorRecord>> sensor_datasets(const std::string& name) {
+    using S = SensorRecord;
+    const std::string path = "/sensors/" + name + '/';
+    return {
+        value<S, &S::time>(path + "time", "s", "time since the start of the run"),
+        value<S, &S::acceleration>(path + "acceleration", "m/s2",
+                                   "acceleration less that of gravity, along d3, d1, d2 of the "
+                                   "sensor"),
+        value<S, &S::rotation_rate>(path + "rotation_rate", "rad/s", "rotation rate about d3"),
+        value<S, &S::bending_moment>(path + "bending_moment", "N m",
+                                     "bending moment about d1 and d2"),
+        value<S, &S::torque>(path + "torque", "N m",
+                             "torque, positive where what is above drives a positive rotation"),
+        value<S, &S::tension>(path + "tension", "N", "axial force"),
+    };
+}
+
+const std::vector<RecordDataset<SegmentCycles>>& cycle_datasets() {
+    using C = SegmentCycles;
+    static const std::vector<RecordDataset<C>> table = {
+        values<C, &C::cycles>("/cycles/count", Rows::segments, "1",
+                              "cycles of bending stress of the fibre that suffers most damage"),
+        values<C, &C::largest_range>("/cycles/largest_range", Rows::segments, "Pa",
+                                     "the largest range among them"),
+        values<C, &C::equivalent_range>("/cycles/equivalent_range", Rows::segments, "Pa",
+                                        "range of which as many cycles do the same damage"),
     };
     return table;
 }

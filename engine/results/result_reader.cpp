@@ -1,7 +1,9 @@
 #include <cmath>
 
 #include "drillstrand/result_file.hpp"
+#include "drillstrand/result_layout.hpp"
 #include "results/hdf5.hpp"
+#include "results/output_datasets.hpp"
 #include "results/reading.hpp"
 #include "results/scene_datasets.hpp"
 
@@ -58,6 +60,11 @@ Result read_result(const std::filesystem::path& path) {
         const std::size_t segments = result.header.segment_s.size();
         result.series = ascending(hdf5::read_records(file, series_datasets(), segments));
         result.profiles = ascending(hdf5::read_records(file, profile_datasets(), segments));
+        hdf5::read_cycles(file, result.header, result.footer.cycles);
+        hdf5::read_sensors(file, result.header);
+        for (const SensorCase& sensor : result.header.sensors)
+            result.sensors.push_back(
+                ascending(hdf5::read_records(file, sensor_datasets(sensor.name), segments)));
         return result;
     });
 }

@@ -7,6 +7,7 @@
 #include "drillstrand/result_file.hpp"
 #include "results/hdf5.hpp"
 #include "results/held_file.hpp"
+#include "results/output_datasets.hpp"
 #include "results/reading.hpp"
 #include "results/scene_datasets.hpp"
 
@@ -31,10 +32,9 @@ namespace fs = std::filesystem;
 template <class Record>
 class RecordTable {
   public:
-    RecordTable(H5::H5File& file, const std::vector<RecordDataset<Record>>& layout,
-                hsize_t segments)
-        : layout_(&layout), segments_(segments), pending_(layout.size()) {
-        for (const auto& entry : layout) {
+    RecordTable(H5::H5File& file, std::vector<RecordDataset<Record>> layout, hsize_t segments)
+        : layout_(std::move(layout)), segments_(segments), pending_(layout_.size()) {
+        for (const auto& entry : layout_) {
             const bool is_frame = entry.rows != Rows::one;
             const auto chunk_shape = hdf5::shape(entry, segments, is_frame ? 1 : samples_per_chunk);
             auto initial = chunk_shape;
@@ -58,10 +58,13 @@ class RecordTable {
     }
 
     /// Opens the datasets of a file, of which the first `records` records are to be kept.
-    RecordTable(H5::H5File& file, const std::vector<RecordDataset<Record>>& layout,
-                hsize_t segments, hsize_t records)
-        : layout_(&layout), segments_(segments), pending_(layout.size()), written_(records) {
-        for (const auto& entry : layout) {
+    RecordTable(H5::H5File& file, std::vector<RecordDataset<Record>> layout, hsize_t segments,
+                hsize_t records)
+        : layout_(std::move(layout)),
+          segments_(segments),
+          pending_(layout_.size()),
+          written_(records) {
+        for (const auto& entry : layout_) {
             const H5::DataSet& dataset =
                 datasets_.emplace_back(file.openDataSet(entry.path, without_cache()));
             const auto expected = hdf5::shape(entry, segments, 1);
@@ -95,10 +98,10 @@ class RecordTable {
             hsize_t found = 0;
             const H5::DataSpace space = datasets_[k].getSpace();
             if (written_ > 0 && H5Dget_num_chunks(datasets_[k].getId(), space.getId(), &found) < 0)
-                throw ResultError((*layout_)[k].path + ": its chunks cannot be counted");
+                throw ResultError(layout_[k].path + ": its chunks cannot be counted");
             if (found != expected)
                 throw ResultError(fmt::format("{} is damaged: {} of {} chunks are missing",
-                                              (*layout_)[k].path, expected - found, expected));
+                                              layout_[k].path, expected - found, expected));
         }
     }
 
@@ -113,8 +116,8 @@ class RecordTable {
     }
 
     void append(const Record& record) {
-        for (std::size_t k = 0; k < layout_->size(); ++k)
-            (*layout_)[k].append(record, pending_[k]);
+        for (std::size_t k = 0; k < layout_.size(); ++k)
+            layout_[k].append(record, pending_[k]);
         ++pending_records_;
     }
 
@@ -202,12 +205,12 @@ class RecordTable {
         if (extent.front() == written_) return;
         extent.front() = written_;
         if (H5Dset_extent(datasets_[k].getId(), extent.data()) < 0)
-            throw ResultError((*layout_)[k].path + " cannot be cut to its first records");
+            throw ResultError(layout_[k].path + " cannot be cut to its first records");
     }
 
     void write(std::size_t k) {
         if (pending_records_ == 0) return;
-        auto extent = hdf5::shape((*layout_)[k], segments_, pending_records_);
+        auto extent = hdf5::shape(layout_[k], segments_, pending_records_);
         const int rank = static_cast<int>(extent.size());
         const H5::DataSpace memory(rank, extent.data());
         std::vector<hsize_t> start(extent.size(), 0);
@@ -220,7 +223,7 @@ class RecordTable {
         datasets_[k].write(pending_[k].data(), H5::PredType::NATIVE_DOUBLE, memory, target);
     }
 
-    const std::vector<RecordDataset<Record>>* layout_;
+    std::vector<RecordDataset<Record>> layout_;
     hsize_t segments_;
     std::vector<H5::DataSet> datasets_;
     std::vector<std::vector<double>> pending_;  ///< per dataset: values not yet in the file
@@ -241,6 +244,8 @@ H5::H5File create_file(const fs::path& path, const ResultHeader& header) {
     hdf5::write_attribute(root, "isa", header.isa);
     hdf5::write_mesh(file, "", header);
     hdf5::write_scene(file, header);
+    hdf5::write_sensors(file, header);
+    hdf5::write_cycles(file, header);
     return file;
 }
 
@@ -272,6 +277,7 @@ struct OpenFile {
     H5::Group root;
     RecordTable<SeriesRecord> series;
     RecordTable<Profile> profiles;
+    std::vector<RecordTable<SensorRecord>> sensors;
     std::chrono::steady_clock::time_point texts_written;  ///< when they last were
     bool closing = false;
 
@@ -279,30 +285,57 @@ struct OpenFile {
         : file(create_file(path, header)),
           root(file.openGroup("/")),
           series(file, series_datasets(), header.segment_s.size()),
-          profiles(file, profile_datasets(), header.segment_s.size()) {}
+          profiles(file, profile_datasets(), header.segment_s.size()) {
+        for (const SensorCase& sensor : header.sensors)
+            sensors.emplace_back(file, sensor_datasets(sensor.name), header.segment_s.size());
+    }
 
     OpenFile(const fs::path& path, const ResultHeader& header, hsize_t series_records,
-             hsize_t profile_records)
+             hsize_t profile_records, const std::vector<std::size_t>& sensor_records)
         : file((require_same_run(path, header), open_file(path))),
           root(file.openGroup("/")),
           series(file, series_datasets(), header.segment_s.size(), series_records),
-          profiles(file, profile_datasets(), header.segment_s.size(), profile_records) {}
+          profiles(file, profile_datasets(), header.segment_s.size(), profile_records) {
+        for (std::size_t i = 0; i < header.sensors.size(); ++i)
+            sensors.emplace_back(file, sensor_datasets(header.sensors[i].name),
+                                 header.segment_s.size(), sensor_records.at(i));
+    }
+
+    /// Calls action(table) for each table of records.
+    template <class Action>
+    void for_each_table(const Action& action) {
+        action(series);
+        action(profiles);
+        for (RecordTable<SensorRecord>& sensor : sensors)
+            action(sensor);
+    }
 
     /// Back to the records that are to be kept; times first, so that none is without its values.
     void drop_others(const HeldFile& held) {
         drop_times();
         flush(held);
-        series.drop_values();
-        profiles.drop_values();
-        series.require_chunks();
-        profiles.require_chunks();
-        series.read_last_time();
-        profiles.read_last_time();
+        for_each_table([](auto& table) { table.drop_values(); });
+        for_each_table([](auto& table) { table.require_chunks(); });
+        for_each_table([](auto& table) { table.read_last_time(); });
     }
 
     void drop_times() {
-        series.drop_times();
-        profiles.drop_times();
+        for_each_table([](auto& table) { table.drop_times(); });
+    }
+
+    void write_values() {
+        for_each_table([](auto& table) { table.write_values(); });
+    }
+
+    void write_times() {
+        for_each_table([](auto& table) { table.write_times(); });
+    }
+
+    /// Most bytes that writing the pending records takes.
+    [[nodiscard]] std::size_t needed_bytes() {
+        std::size_t bytes = 0;
+        for_each_table([&](const auto& table) { bytes += table.needed_bytes(); });
+        return bytes;
     }
 
     void write_status(const ResultFooter& footer) {
@@ -328,6 +361,7 @@ struct OpenFile {
     void write_texts(const ResultFooter& footer) {
         hdf5::write_attribute(root, "warnings", footer.warnings);
         hdf5::write_attribute(root, "findings", footer.findings);
+        hdf5::rewrite_cycles(file, footer.cycles);
     }
 
     /// Not at every flush: texts take new space each time.
@@ -349,8 +383,7 @@ struct OpenFile {
 
     void close() {
         closing = true;
-        series.close();
-        profiles.close();
+        for_each_table([](auto& table) { table.close(); });
         root.close();
         file.close();
     }
@@ -385,15 +418,15 @@ struct ResultWriter::Impl {
     }
 
     Impl(const fs::path& path, const ResultHeader& header, hsize_t series_records,
-         hsize_t profile_records)
+         hsize_t profile_records, const std::vector<std::size_t>& sensor_records)
         : shown_path_(path),
           file_path_(followed(path)),
           held_(std::make_unique<HeldFile>(HeldFile::open(file_path_, path))) {
         held_->require_space(metadata_bytes);
         try {
             hdf5::attempt(shown_path_, "go on with it", [&] {
-                open_ =
-                    std::make_unique<OpenFile>(file_path_, header, series_records, profile_records);
+                open_ = std::make_unique<OpenFile>(file_path_, header, series_records,
+                                                   profile_records, sensor_records);
             });
             attempt([&] {
                 open_->drop_others(*held_);
@@ -522,14 +555,11 @@ struct ResultWriter::Impl {
         last_flush_ = Clock::now();
         failed_ = true;
         require_held();
-        held_->require_space(open_->series.needed_bytes() + open_->profiles.needed_bytes() +
-                             metadata_bytes);
+        held_->require_space(open_->needed_bytes() + metadata_bytes);
         attempt([&] {
-            open_->series.write_values();
-            open_->profiles.write_values();
+            open_->write_values();
             open_->flush(*held_);
-            open_->series.write_times();
-            open_->profiles.write_times();
+            open_->write_times();
             open_->flush(*held_);
         });
         held_->remember_size();
@@ -573,8 +603,10 @@ ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
 ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
 
 ResultWriter ResultWriter::resume(const std::filesystem::path& path, const ResultHeader& header,
-                                  std::size_t series_records, std::size_t profile_records) {
-    return ResultWriter(std::make_unique<Impl>(path, header, series_records, profile_records));
+                                  std::size_t series_records, std::size_t profile_records,
+                                  const std::vector<std::size_t>& sensor_records) {
+    return ResultWriter(
+        std::make_unique<Impl>(path, header, series_records, profile_records, sensor_records));
 }
 
 void ResultWriter::append(const SeriesRecord& record) {
@@ -583,6 +615,10 @@ void ResultWriter::append(const SeriesRecord& record) {
 
 void ResultWriter::append(const Profile& profile) {
     impl_->append(impl_->open().profiles, profile);
+}
+
+void ResultWriter::append(std::size_t sensor, const SensorRecord& record) {
+    impl_->append(impl_->open().sensors.at(sensor), record);
 }
 
 bool ResultWriter::is_stale() const {

@@ -10,6 +10,7 @@
 #include "numerics/kernel.hpp"
 #include "rod/director_rows.hpp"
 #include "rod/report.hpp"
+#include "rod/sensor.hpp"
 
 namespace drillstrand {
 
@@ -109,23 +110,38 @@ DRILLSTRAND_INLINE Triple along_middle(const SegmentChord& chord) {
     return combine(1.5, chord.along, -0.5, chord.mean);
 }
 
-/// Stress of a segment in the axes of its middle: the force on its ends, and the mean moment of
-/// bending along it, which its ends' directors tell. (Under tension, between nodes that touch the
-/// wall, moments at its ends are larger and in its middle less.)
-Vector6 stress_of(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+/// Axes of a segment's middle: d3, d1, d2 in the columns.
+Eigen::Matrix3d middle_frame(const ReportedSegment& segment, const DirectorSnapshot& at,
+                             std::size_t k) {
+    const Vector3d t = vector(along_middle(segment.chord)).normalized();
+    const Vector3d across = at.frame[k].col(1) + at.frame[k + 1].col(1);
+    const Vector3d d1 = (across - across.dot(t) * t).normalized();
+    Eigen::Matrix3d frame;
+    frame << t, d1, t.cross(d1);
+    return frame;
+}
+
+/// The mean moment of bending along a segment, which its ends' directors tell (N m, space frame).
+/// (Under tension, between nodes that touch the wall, moments at its ends are larger and in its
+/// middle less.)
+Vector3d bending_of(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
     // mean of a vector that turns with the sections by theta from end to end
     const double theta = segment.length * at.segments.row(SegmentRow::twist)[k];
     const double mean = 0.5 * (1.0 + theta * theta / 12.0);
     const Triple own = combine(mean, own_at(segment, at, k), mean, own_at(segment, at, k + 1));
-    const Vector3d bending = segment.section.bending_stiffness * (segment.bend - vector(own));
+    return segment.section.bending_stiffness * (segment.bend - vector(own));
+}
+
+/// Stress of a segment in the axes of its middle: its torque and mean bending, and the force on its
+/// ends.
+Vector6 stress_of(const ReportedSegment& segment, const DirectorSnapshot& at, std::size_t k) {
+    const Eigen::Matrix3d frame = middle_frame(segment, at, k);
+    const Vector3d bending = bending_of(segment, at, k);
     const Vector3d pull = at.segments.vector(SegmentRow::pull, k);
-    const Vector3d t = vector(along_middle(segment.chord)).normalized();
-    const Vector3d across = at.frame[k].col(1) + at.frame[k + 1].col(1);
-    const Vector3d d1 = (across - across.dot(t) * t).normalized();
-    const Vector3d d2 = t.cross(d1);
     Vector6 stress;
-    stress << elastic_torque(segment, elastic_twist(segment, at, k)), bending.dot(d1),
-        bending.dot(d2), pull.dot(t), pull.dot(d1), pull.dot(d2);
+    stress << elastic_torque(segment, elastic_twist(segment, at, k)), bending.dot(frame.col(1)),
+        bending.dot(frame.col(2)), pull.dot(frame.col(0)), pull.dot(frame.col(1)),
+        pull.dot(frame.col(2));
     return stress;
 }
 
@@ -408,6 +424,20 @@ double half_kick_energy(const DirectorString& string, const DirectorState& state
     return half_kick_energy(string, at, half_step);
 }
 
+namespace {
+
+NodeReport report_nodes(const DirectorString& string, const DirectorSnapshot& at,
+                        const std::vector<Vector3d>& position) {
+    NodeReport nodes{contacts_of(string.model.surroundings, at.wall, position), {}};
+    nodes.velocity.reserve(position.size());
+    for (std::size_t k = 0; k < position.size(); ++k)
+        nodes.velocity.push_back(
+            {at.rod.vector(DirectorRow::velocity, k), at.rod.row(DirectorRow::spin)[k]});
+    return nodes;
+}
+
+}  // namespace
+
 SeriesRecord series_record(const DirectorString& string, const DirectorState& state) {
     const Scene& scene = string.scene;
     const DirectorSnapshot at = snapshot(string, state);
@@ -453,11 +483,7 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     energy.work += prescribed_energy(string, at.rod, at.wall) - state.origin.head;
-    NodeReport nodes{contacts_of(string.model.surroundings, at.wall, position), {}};
-    nodes.velocity.reserve(last + 1);
-    for (std::size_t k = 0; k <= last; ++k)
-        nodes.velocity.push_back(
-            {at.rod.vector(DirectorRow::velocity, k), at.rod.row(DirectorRow::spin)[k]});
+    const NodeReport nodes = report_nodes(string, at, position);
     account_for(record, scene, nodes, of.tension, state.accounts, state.origin);
     record.impacts += std::llround(at.impacts);
     record.slips += std::llround(at.slips);
@@ -477,8 +503,8 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         fixed_end.push_back(fixed_end_moment(segment.beam));
     }
     profile.position = positions(string, at.rod);
-    const std::vector<Vector3d> moments = moments_at_nodes(
-        string, at, fixed_end, contacts_of(string.model.surroundings, at.wall, profile.position));
+    const NodeReport nodes = report_nodes(string, at, profile.position);
+    const std::vector<Vector3d> moments = moments_at_nodes(string, at, fixed_end, nodes.contact);
     for (std::size_t k = 0; k <= string.model.segments; ++k) {
         const Eigen::Matrix3d to_body = at.frame[k].transpose();
         Vector6 momentum;
@@ -490,8 +516,65 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
         profile.moment.emplace_back(to_body * moments[k]);
         profile.momentum.push_back(momentum);
     }
-    report_wall(string.scene, profile, string.model.surroundings, at.wall);
+    report_wall(string.scene, profile, at.wall, nodes);
     return profile;
+}
+
+BendingRecord bending_record(const DirectorString& string, const DirectorState& state) {
+    DirectorSnapshot at{state.rod, Table<SegmentRow>(string.model.segments + 1), {}, {}, {}};
+    for (const BlockSpan span : string.spans)
+        director_segments(string.model, state.rod, at.segments, span, state.clock.last_step);
+    at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
+                               string.head.d1(state.head, state.clock.time));
+    BendingRecord record{state.clock.time, {}};
+    record.moment.reserve(string.model.segments);
+    for (std::size_t k = 0; k < string.model.segments; ++k) {
+        const ReportedSegment segment(string.scene, k, at);
+        const Eigen::Matrix3d frame = middle_frame(segment, at, k);
+        const Vector3d moment = bending_of(segment, at, k);
+        record.moment.emplace_back(moment.dot(frame.col(1)), moment.dot(frame.col(2)));
+    }
+    return record;
+}
+
+namespace {
+
+/// `last_step` (s): what half of it changed of the velocities tells the accelerations; where there
+/// was none the string is at rest.
+SectionMotion motion_of(const DirectorSnapshot& at, const Table<DirectorRow>& before,
+                        double last_step, std::size_t node) {
+    const double rate = last_step > 0 ? 2 / last_step : 0;
+    const auto change = [&](DirectorRow row) {
+        return Vector3d(rate * (at.rod.vector(row, node) - before.vector(row, node)));
+    };
+    const Vector3d t = at.frame[node].col(0);
+    const Vector3d turning = at.rod.vector(DirectorRow::angular_velocity, node);
+    const double spin = at.rod.row(DirectorRow::spin)[node];
+    const double spin_change = rate * (spin - before.row(DirectorRow::spin)[node]);
+    // w = Om + s t, dt/dt = Om x t
+    return {at.frame[node], change(DirectorRow::velocity), turning + spin * t,
+            change(DirectorRow::angular_velocity) + spin_change * t + spin * turning.cross(t)};
+}
+
+}  // namespace
+
+std::vector<SensorRecord> sensor_records(const DirectorString& string, const DirectorState& state,
+                                         const std::vector<SensorCase>& sensors) {
+    const DirectorSnapshot at = snapshot(string, state);
+    const auto motion = [&](std::size_t node) {
+        return motion_of(at, state.rod, state.clock.last_step, node);
+    };
+    std::vector<SensorRecord> records;
+    for (const SensorCase& sensor : sensors) {
+        const SensorPlace place(string.scene.mesh, sensor);
+        const ReportedSegment segment(string.scene, place.segment, at);
+        records.push_back(sensor_record(
+            string.scene, sensor,
+            motion_between(motion(place.segment), motion(place.segment + 1), place.share),
+            stress_of(segment, at, place.segment)));
+        records.back().time = state.clock.time;
+    }
+    return records;
 }
 
 std::string describe_divergence(const DirectorString& string,

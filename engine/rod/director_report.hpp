@@ -32,6 +32,10 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
 
 SeriesRecord series_record(const DirectorString& string, const DirectorState& state);
 Profile profile_record(const DirectorString& string, const DirectorState& state);
+/// Places and directors belong to whole steps, so that this takes no half kick.
+BendingRecord bending_record(const DirectorString& string, const DirectorState& state);
+std::vector<SensorRecord> sensor_records(const DirectorString& string, const DirectorState& state,
+                                         const std::vector<SensorCase>& sensors);
 
 /// Frames of the nodes: from the head's d1 by the shortest turn from director to director, and by
 /// the twist of the segment.

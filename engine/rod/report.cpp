@@ -162,10 +162,10 @@ void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nod
     record.contact_changes = 2 * record.impacts - record.contact_nodes;
 }
 
-void report_wall(const Scene& scene, Profile& profile, const Surroundings& surroundings,
-                 const Table<WallRow>& wall) {
+void report_wall(const Scene& scene, Profile& profile, const Table<WallRow>& wall,
+                 const NodeReport& nodes) {
     for (std::size_t k = 0; k < profile.position.size(); ++k) {
-        const NodeContact c = surroundings.contact(wall, k, profile.position[k]);
+        const NodeContact& c = nodes.contact[k];
         profile.eccentricity.push_back(c.eccentricity);
         profile.well_depth.push_back(c.well_depth);
         profile.fluid_mass.push_back(fluid_mass_at(wall, k));
@@ -174,6 +174,7 @@ void report_wall(const Scene& scene, Profile& profile, const Surroundings& surro
     }
     profile.side_force = side_force(scene.mesh.node_s, profile.normal_force,
                                     scene.side_force_window, scene.mesh.node_s);
+    profile.whirl_rate = whirl_rates(nodes.contact, nodes.velocity);
 }
 
 }  // namespace drillstrand

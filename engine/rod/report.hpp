@@ -66,8 +66,8 @@ void account_for(SeriesRecord& record, const Scene& scene, const NodeReport& nod
                  const std::vector<double>& tension, const Accounts& accounts,
                  const EnergyOrigin& origin);
 
-/// Adds the place of each node in the well and the force of the wall on it.
-void report_wall(const Scene& scene, Profile& profile, const Surroundings& surroundings,
-                 const Table<WallRow>& wall);
+/// Adds the place of each node in the well, the force of the wall on it, and its whirl.
+void report_wall(const Scene& scene, Profile& profile, const Table<WallRow>& wall,
+                 const NodeReport& nodes);
 
 }  // namespace drillstrand

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "rod/report.hpp"
+#include "rod/sensor.hpp"
 
 namespace drillstrand {
 
@@ -145,6 +146,16 @@ double prescribed_energy(const StrandString& string, const StrandState& state) {
     return string.head.prescribed_energy(kinetic_energy_of(string, state, 0), rate);
 }
 
+NodeReport report_nodes(const StrandString& string, const StrandState& state,
+                        const std::vector<Pose>& pose) {
+    NodeReport nodes{contacts_of(string.model.surroundings, state.wall, positions(pose)), {}};
+    for (std::size_t k = 0; k < pose.size(); ++k) {
+        const Vector6 velocity = velocity_of(string.scene, state.rod, state.wall, k);
+        nodes.velocity.push_back({pose[k].frame * velocity.tail<3>(), velocity[0]});
+    }
+    return nodes;
+}
+
 }  // namespace
 
 EnergyOrigin energy_origin(const StrandString& string, const StrandState& state) {
@@ -192,11 +203,7 @@ SeriesRecord series_record(const StrandString& string, const StrandState& state)
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     energy.work += prescribed_energy(string, state) - state.origin.head;
-    NodeReport nodes{contacts_of(string.model.surroundings, state.wall, position), {}};
-    for (std::size_t k = 0; k <= last; ++k) {
-        const Vector6 velocity = velocity_of(scene, state.rod, state.wall, k);
-        nodes.velocity.push_back({pose[k].frame * velocity.tail<3>(), velocity[0]});
-    }
+    const NodeReport nodes = report_nodes(string, state, pose);
     std::vector<double> tension;
     for (const Vector6& of_segment : stress)
         tension.push_back(of_segment[3]);
@@ -225,8 +232,48 @@ Profile profile_record(const StrandString& string, const StrandState& state) {
     }
     profile.stress = stresses(string, state.rod);
     profile.moment = moments_at_nodes(profile.stress);
-    report_wall(string.scene, profile, string.model.surroundings, state.wall);
+    report_wall(string.scene, profile, state.wall, report_nodes(string, state, pose));
     return profile;
+}
+
+BendingRecord bending_record(const StrandString& string, const StrandState& state) {
+    BendingRecord record{state.clock.time, {}};
+    record.moment.reserve(string.model.segments);
+    for (const Vector6& stress : stresses(string, state.rod))
+        record.moment.emplace_back(stress.segment<2>(1));
+    return record;
+}
+
+namespace {
+
+/// Rates of the body's components become accelerations with what the body's turning adds; that of
+/// an angular velocity is none.
+SectionMotion motion_of(const StrandString& string, const StrandState& state,
+                        const std::vector<Pose>& pose, std::size_t node) {
+    const Vector6 velocity = velocity_of(string.scene, state.rod, state.wall, node);
+    const Vector6 rate = velocity_of(string.scene, state.rate, state.wall, node);
+    const Vector3d turning = velocity.head<3>();
+    const Eigen::Matrix3d& frame = pose[node].frame;
+    return {frame, frame * (rate.tail<3>() + turning.cross(Vector3d(velocity.tail<3>()))),
+            frame * turning, frame * rate.head<3>()};
+}
+
+}  // namespace
+
+std::vector<SensorRecord> sensor_records(const StrandString& string, const StrandState& state,
+                                         const std::vector<SensorCase>& sensors) {
+    const std::vector<Pose> pose = poses(string, state);
+    std::vector<SensorRecord> records;
+    for (const SensorCase& sensor : sensors) {
+        const SensorPlace place(string.scene.mesh, sensor);
+        const SectionMotion motion =
+            motion_between(motion_of(string, state, pose, place.segment),
+                           motion_of(string, state, pose, place.segment + 1), place.share);
+        records.push_back(
+            sensor_record(string.scene, sensor, motion, stress_of(state.rod, place.segment)));
+        records.back().time = state.clock.time;
+    }
+    return records;
 }
 
 }  // namespace drillstrand

@@ -92,6 +92,9 @@ std::vector<Eigen::Vector3d> moments_at_nodes(const std::vector<Vector6>& stress
 
 SeriesRecord series_record(const StrandString& string, const StrandState& state);
 Profile profile_record(const StrandString& string, const StrandState& state);
+BendingRecord bending_record(const StrandString& string, const StrandState& state);
+std::vector<SensorRecord> sensor_records(const StrandString& string, const StrandState& state,
+                                         const std::vector<SensorCase>& sensors);
 /// The energies from which records of a run that begins with this state count.
 EnergyOrigin energy_origin(const StrandString& string, const StrandState& state);
 

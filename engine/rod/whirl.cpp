@@ -48,6 +48,15 @@ Whirl whirl_of(const Scene& scene, const std::vector<NodeContact>& contacts,
             sum.depth / whirling};
 }
 
+std::vector<double> whirl_rates(const std::vector<NodeContact>& contacts,
+                                const std::vector<NodeVelocity>& velocities) {
+    std::vector<double> rates;
+    rates.reserve(contacts.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+        rates.push_back(whirl_rate(contacts[k], velocities[k]));
+    return rates;
+}
+
 double rotation_energy(const Scene& scene, const std::vector<NodeVelocity>& velocities) {
     double sum = 0;
     for (std::size_t k = 0; k < velocities.size(); ++k)

@@ -20,6 +20,11 @@ struct NodeVelocity {
 Whirl whirl_of(const Scene& scene, const std::vector<NodeContact>& contacts,
                const std::vector<NodeVelocity>& velocities);
 
+/// Rate of each node around the well's axis, positive with its spin; 0 where it does not whirl
+/// (rad/s).
+std::vector<double> whirl_rates(const std::vector<NodeContact>& contacts,
+                                const std::vector<NodeVelocity>& velocities);
+
 /// Kinetic energy of the spin of all nodes about d3 (J).
 double rotation_energy(const Scene& scene, const std::vector<NodeVelocity>& velocities);
 

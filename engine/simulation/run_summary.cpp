@@ -28,6 +28,18 @@ RunSummary::RunSummary(const Scene& scene)
       settled_after_(std::max(1.0, 4 * axial_travel_time(scene.mesh))),
       last_part_(scene, settled_after_) {}
 
+RunSummary::RunSummary(const Scene& scene, const Case& input) : RunSummary(scene) {
+    if (input.output.cycles) cycles_.emplace(scene.mesh, input.string, *input.output.cycles);
+}
+
+void RunSummary::add(const BendingRecord& record) {
+    if (cycles_) cycles_->add(record);
+}
+
+SegmentCycles RunSummary::cycles() const {
+    return cycles_ ? cycles_->segments() : SegmentCycles();
+}
+
 void RunSummary::add(const SeriesRecord& record) {
     audit_.add(record.energy);
     last_part_.add(record);
@@ -69,6 +81,9 @@ std::vector<std::string> RunSummary::findings() const {
                         "clearance at most; a helix of the string's compression {:.3g} mm at most",
                         1e3 * penetration_, penetration_depth_, penetration_time_,
                         relative_penetration_, 1e3 * helix_penetration_));
+    if (cycles_)
+        for (std::string& line : cycles_->findings())
+            lines.push_back(std::move(line));
     return lines;
 }
 
@@ -101,6 +116,9 @@ SavedState RunSummary::save() const {
                      {penetration_, penetration_time_, penetration_depth_, helix_penetration_,
                       relative_penetration_, deepest_time_}});
     saved.push_back({"time_error", "1", {time_error_at_start_, latest_time_error_}});
+    if (cycles_)
+        for (SavedRow& row : cycles_->save())
+            saved.push_back(std::move(row));
     if (!time_errors_.empty()) saved.push_back({"time_errors", "1", time_errors_});
     return saved;
 }
@@ -110,6 +128,8 @@ void RunSummary::restore(const SavedState& saved) {
     audit.restore(saved);
     LastPart last_part = last_part_;
     last_part.restore(saved);
+    std::optional<BendingCycles> cycles = cycles_;
+    if (cycles) cycles->restore(saved);
     const auto values_of = [&](const char* name, std::size_t size) -> const std::vector<double>& {
         for (const SavedRow& row : saved) {
             if (row.name == name && row.values.size() == size) return row.values;
@@ -120,6 +140,7 @@ void RunSummary::restore(const SavedState& saved) {
     const std::vector<double>& error = values_of("time_error", 2);
     audit_ = audit;
     last_part_ = last_part;
+    cycles_ = cycles;
     penetration_ = depth[0];
     penetration_time_ = depth[1];
     penetration_depth_ = depth[2];

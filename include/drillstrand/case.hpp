@@ -349,11 +349,31 @@ struct RunCase {
     bool reproducible = false;  ///< equal bits on every instruction set
 };
 
+/// Counting of cycles of bending stress (engine/simulation/README.md).
+struct CyclesCase {
+    double interval = 0.01;  ///< between samples (s)
+    double slope = 4;        ///< m of the S-N curve N = a S^-m by which ranges are weighed
+};
+
+/// A tool in the string that records what it feels (engine/rod/README.md, "Sensors").
+struct SensorCase {
+    std::string name;
+    double depth = 0;        ///< along the string, from the head (m)
+    double radius = 0;       ///< distance of the accelerometers from the axis, along d1 (m)
+    double interval = 0.01;  ///< between samples (s)
+};
+
+/// Whether a text can name a sensor, a group of the result file and a file of its own: 1 to 64
+/// letters, digits, "-" and "_".
+bool is_sensor_name(const std::string& text);
+
 struct OutputCase {
     double interval = 0.1;             ///< s
     double profile_interval = 5;       ///< s; 0: first and last only
     double checkpoint_interval = 60;   ///< wall s; 0: none
     double side_force_window = 9.144;  ///< over which side force per length is stated (m)
+    std::optional<CyclesCase> cycles;  ///< unset: none are counted
+    std::vector<SensorCase> sensors;
 };
 
 struct Case {

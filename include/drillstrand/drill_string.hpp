@@ -31,8 +31,11 @@ struct SectionProperties {
     double torsional_stiffness = 0;  ///< G J (N m2)
     double metal_area = 0;           ///< m2
     double outer_area = 0;           ///< area of the outer circle (m2)
-    double outer_radius = 0;         ///< m; of a node, the radius that touches the wall
-    double flow_radius = 0;          ///< m; of a node, the pipe around which mud flows
+    /// I/r of the outer fibre (m3), of a segment that of its weakest pipe; infinite without
+    /// diameters
+    double section_modulus = std::numeric_limits<double>::infinity();
+    double outer_radius = 0;  ///< m; of a node, the radius that touches the wall
+    double flow_radius = 0;   ///< m; of a node, the pipe around which mud flows
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< stress-free twist, bend1, bend2 (1/m)
     YieldLoads yield;
 };

@@ -86,6 +86,24 @@ struct Profile {
     std::vector<Eigen::Vector3d> contact_force;  ///< nodes, N/m, space frame: wall on pipe
     std::vector<double> normal_force;            ///< nodes, N/m
     std::vector<double> side_force;              ///< nodes, N/m, see side_force.hpp
+    std::vector<double> whirl_rate;  ///< nodes, rad/s, with the rotation; 0 of what does not whirl
+};
+
+/// What a sensor in the string felt at one time, in axes (d3, d1, d2) that turn with it
+/// (engine/rod/README.md, "Sensors").
+struct SensorRecord {
+    double time = 0;                                           ///< s
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();    ///< m/s2, less that of gravity
+    double rotation_rate = 0;                                  ///< rad/s about d3
+    Eigen::Vector2d bending_moment = Eigen::Vector2d::Zero();  ///< N m, about d1 and d2
+    double torque = 0;   ///< N m, positive where what is above drives a positive rotation
+    double tension = 0;  ///< N
+};
+
+/// Bending moments of the segments about their own d1 and d2 at one time.
+struct BendingRecord {
+    double time = 0;                      ///< s
+    std::vector<Eigen::Vector2d> moment;  ///< N m
 };
 
 struct StepStatistics {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "drillstrand/bending_cycles.hpp"
 #include "drillstrand/case.hpp"
 #include "drillstrand/new_file.hpp"
 #include "drillstrand/records.hpp"
@@ -41,11 +42,15 @@ struct ResultHeader {
     std::vector<double> yield_torque;   ///< N (N m)
 
     std::optional<WellCase> well;  ///< unset: no well, or a file that does not say
+
+    std::optional<CyclesCase> cycles;  ///< unset: none were counted
+    std::vector<SensorCase> sensors;
 };
 
 struct Scene;
 
-/// What a result file of this case says; `threads` and `isa` are left to the caller.
+/// What a result file of this case says; `threads`, `isa`, `cycles` and `sensors` are
+/// left to the caller.
 ResultHeader result_header(const Case& input, const Scene& scene);
 
 /// How a run ended, or how far it has come; becomes root attributes.
@@ -60,6 +65,7 @@ struct ResultFooter {
     double unloaded_share = 0;
     std::vector<std::string> warnings;
     std::vector<std::string> findings;  ///< RunSummary::findings()
+    SegmentCycles cycles;               ///< RunSummary::cycles()
     StepStatistics statistics;
 };
 
@@ -74,10 +80,11 @@ class ResultWriter {
     ResultWriter(const std::filesystem::path& path, const ResultHeader& header,
                  Existing existing = Existing::replace);
     /// Goes on with a file that a run of this header wrote and left, whatever became of it: keeps
-    /// its first records, that many, and drops the others. Throws ResultError where it holds fewer
-    /// or is of another string or integrator.
+    /// its first records, that many (of sensors, one number each), and drops the others. Throws
+    /// ResultError where it holds fewer or is of another string or integrator.
     static ResultWriter resume(const std::filesystem::path& path, const ResultHeader& header,
-                               std::size_t series_records, std::size_t profile_records);
+                               std::size_t series_records, std::size_t profile_records,
+                               const std::vector<std::size_t>& sensor_records = {});
     /// Closes the file without a footer where close() was not called.
     ~ResultWriter();
     ResultWriter(ResultWriter&&) noexcept;
@@ -85,6 +92,8 @@ class ResultWriter {
 
     void append(const SeriesRecord& record);
     void append(const Profile& profile);
+    /// `sensor`: its number in the header.
+    void append(std::size_t sensor, const SensorRecord& record);
     /// True where the last flush is older than a second.
     [[nodiscard]] bool is_stale() const;
     /// Time of the last series record that is in the file, 0 before the first one (s).
@@ -114,6 +123,7 @@ struct Result {
     std::string commit;
     std::vector<SeriesRecord> series;
     std::vector<Profile> profiles;
+    std::vector<std::vector<SensorRecord>> sensors;  ///< of each in the header
 };
 
 /// Reads a result file, also one that is being written or that a killed run left. Throws

@@ -56,6 +56,12 @@ const std::vector<WellDataset>& well_datasets();
 const std::vector<RecordDataset<SeriesRecord>>& series_datasets();
 const std::vector<RecordDataset<Profile>>& profile_datasets();
 
+/// One entry per record of the sensor of that name; the first one is the time.
+std::vector<RecordDataset<SensorRecord>> sensor_datasets(const std::string& name);
+
+/// Brought up to date while the run goes on, where cycles are counted.
+const std::vector<RecordDataset<SegmentCycles>>& cycle_datasets();
+
 /// One entry per mode, in a file of buckling modes.
 const std::vector<RecordDataset<BucklingMode>>& buckling_datasets();
 /// One entry per unstable shape, where the file has any.

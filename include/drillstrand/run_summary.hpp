@@ -1,9 +1,12 @@
 /// What a user should know of a whole run, gathered record by record.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "drillstrand/bending_cycles.hpp"
+#include "drillstrand/case.hpp"
 #include "drillstrand/energy_audit.hpp"
 #include "drillstrand/last_part.hpp"
 #include "drillstrand/records.hpp"
@@ -15,8 +18,11 @@ namespace drillstrand {
 class RunSummary {
   public:
     explicit RunSummary(const Scene& scene);
+    /// Counts cycles where the case asks for them.
+    RunSummary(const Scene& scene, const Case& input);
 
     void add(const SeriesRecord& record);
+    void add(const BendingRecord& record);
 
     [[nodiscard]] double energy_residual() const { return audit_.residual(); }
     [[nodiscard]] double largest_penetration() const { return penetration_; }  ///< m
@@ -31,11 +37,15 @@ class RunSummary {
     [[nodiscard]] double time_error_largest() const;
     [[nodiscard]] double time_error_median() const;
 
+    /// Empty where no cycles are counted.
+    [[nodiscard]] SegmentCycles cycles() const;
+
     /// Of the last part of the run.
     [[nodiscard]] BitConduct bit() const { return last_part_.bit(); }
 
     /// What the string did: how the bit turned and pressed, whirl and what the walls carry, of the
-    /// last part of the run, and the deepest penetration. A line each, "subject: what".
+    /// last part of the run, the deepest penetration, and the cycles of bending of each component.
+    /// A line each, "subject: what".
     [[nodiscard]] std::vector<std::string> findings() const;
     /// A sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;
@@ -49,6 +59,7 @@ class RunSummary {
     EnergyAudit audit_;
     double settled_after_;
     LastPart last_part_;
+    std::optional<BendingCycles> cycles_;
     double penetration_ = 0;           ///< m
     double penetration_time_ = 0;      ///< s
     double penetration_depth_ = 0;     ///< m

@@ -36,6 +36,10 @@ class Integrator {
     [[nodiscard]] virtual double time() const = 0;
     [[nodiscard]] virtual SeriesRecord series() const = 0;
     [[nodiscard]] virtual Profile profile() const = 0;
+    [[nodiscard]] virtual BendingRecord bending() const = 0;
+    /// A record of each sensor, in their order.
+    [[nodiscard]] virtual std::vector<SensorRecord> sense(
+        const std::vector<SensorCase>& sensors) const = 0;
     [[nodiscard]] virtual StepStatistics statistics() const = 0;
     /// Threads that share the string.
     [[nodiscard]] virtual int threads() const { return 1; }
@@ -72,9 +76,18 @@ struct RunSchedule {
     double duration = 0;          ///< s
     double interval = 0.1;        ///< s, of series records
     double profile_interval = 5;  ///< s; 0: first and last only
+    double bending_interval = 0;  ///< s; 0: none
+    std::vector<SensorCase> sensors{};
 };
 
-/// Records that a run has taken before it was left.
+RunSchedule run_schedule(const Case& input);
+
+/// Records at 0, interval, 2 interval, ... and at `end` that a run has taken which has come to
+/// `time` (s).
+std::size_t records_until(double time, double interval, double end);
+
+/// Records that a run has taken before it was left. Those of bending and sensors follow from its
+/// time.
 struct RecordCounts {
     std::size_t series = 0;
     std::size_t profiles = 0;
@@ -86,6 +99,9 @@ class Observer {
     virtual ~Observer() = default;
     virtual void on_series(const SeriesRecord& record) = 0;
     virtual void on_profile(const Profile& profile) = 0;
+    virtual void on_bending(const BendingRecord& /*record*/) {}
+    /// `sensor`: its number in the schedule.
+    virtual void on_sensor(std::size_t /*sensor*/, const SensorRecord& /*record*/) {}
     /// Called about ten times a second of wall time, and after every step that takes longer than
     /// that, with the simulated time reached; false asks the run to stop.
     virtual bool on_progress(double time, const StepStatistics& statistics) = 0;
@@ -93,11 +109,11 @@ class Observer {
 
 enum class RunOutcome { complete, stopped };
 
-/// Records at 0, interval, 2 interval, ... and at the end, profiles likewise, and advances the
-/// integrator in between. SimulationError passes through after what was recorded so far; a record
-/// with a number that is not finite is one, and is not handed on.
-/// `taken`: what a restored run has recorded already. A record of a pipe that left the well is
-/// handed on before the run ends with a GuardError.
+/// Records at 0, interval, 2 interval, ... and at the end, profiles, bending and sensors likewise,
+/// and advances the integrator in between: steps are cut so that each record is at its time.
+/// SimulationError passes through after what was recorded so far; a record with a number that is
+/// not finite is one, and is not handed on. `taken`: what a restored run has recorded already. A
+/// record of a pipe that left the well is handed on before the run ends with a GuardError.
 RunOutcome simulate(Integrator& integrator, const RunSchedule& schedule, Observer& observer,
                     const RecordCounts& taken = {});
 

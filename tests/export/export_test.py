@@ -140,6 +140,7 @@ class Export(SmallRun):
                 "contact_force[N/m]": self.profile("contact_force")[k],
                 "normal_force[N/m]": self.profile("normal_force")[k],
                 "side_force[N/m]": self.profile("side_force")[k],
+                "whirl_rate[rad/s]": self.profile("whirl_rate")[k],
                 "spin[rad/s]": self.profile("momentum")[k, :, 0] / inertia,
                 "outer_radius[m]": self.file["string/outer_radius"][...],
             }
@@ -231,7 +232,8 @@ class Export(SmallRun):
                                           momentum[..., k].ravel())
             np.testing.assert_array_equal(table[f"linear_momentum_{body}[kg/s]"],
                                           momentum[..., k + 3].ravel())
-        for name in ["eccentricity[m]", "well_depth[m]", "normal_force[N/m]", "side_force[N/m]"]:
+        for name in ["eccentricity[m]", "well_depth[m]", "normal_force[N/m]", "side_force[N/m]",
+                     "whirl_rate[rad/s]"]:
             np.testing.assert_array_equal(table[name], self.profile(name.split("[")[0]).ravel())
 
     def test_the_table_of_segments_has_a_row_per_profile_and_segment(self):
@@ -247,6 +249,21 @@ class Export(SmallRun):
             np.stack([table[f"{side}[m]"] for side in ["north", "east", "down"]], axis=1),
             vtk_to_numpy(data.GetPoints().GetData()))
         np.testing.assert_array_equal(table["radius[m]"], arrays(data.GetPointData())["radius[m]"])
+
+    def test_the_table_of_a_sensor_has_a_column_for_each_of_its_values(self):
+        table = read_table(self.folder / "csv" / "sensor_mwd.csv")
+        sensor = self.file["sensors/mwd"]
+        columns = {
+            "time[s]": ("time", None), "rotation_rate[rad/s]": ("rotation_rate", None),
+            "torque[N m]": ("torque", None), "tension[N]": ("tension", None),
+            **{f"acceleration_{name}[m/s2]": ("acceleration", k) for k, name in enumerate(["d3", "d1", "d2"])},
+            **{f"bending_moment_{name}[N m]": ("bending_moment", k) for k, name in enumerate(["d1", "d2"])},
+        }
+        self.assertEqual(set(table), set(columns))
+        for column, (name, component) in columns.items():
+            values = sensor[name][...] if component is None else sensor[name][:, component]
+            np.testing.assert_array_equal(table[column], values)
+        self.assertEqual(len(table["time[s]"]), 301)
 
     def test_a_string_without_a_well_is_exported_without_one(self):
         shutil.copy(self.source / "cases" / "cantilever.toml", self.folder)

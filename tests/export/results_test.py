@@ -32,8 +32,9 @@ class Results(SmallRun):
                               capture_output=True, text=True)
 
     def test_the_reader_gives_every_dataset_with_its_units(self):
-        for group in ["mesh", "string", "well", "series", "profiles"]:
-            values = getattr(self.result, group)
+        for group in ["mesh", "string", "well", "series", "profiles", "cycles", "sensors/mwd"]:
+            values = (self.result.sensors["mwd"] if group == "sensors/mwd" else
+                      getattr(self.result, group))
             self.assertEqual(set(values), set(self.file[group]))
             for name, data in self.file[group].items():
                 np.testing.assert_array_equal(values[name], data[...])

@@ -28,7 +28,8 @@ class SmallRun(unittest.TestCase):
         (cls.folder / "case.toml").write_text(case)
         cls.simulate("case.toml", "out.h5", "run.duration=3", "output.profile_interval=0.1",
                      "output.interval=0.02", "head.rotation=[[0, 0], [1, 10]]",
-                     f"mesh.segments={SEGMENTS}")
+                     f"mesh.segments={SEGMENTS}", "output.cycles={}",
+                     'output.sensor=[{name = "mwd", depth = 12, measured_from = "bit", radius = 0.05}]')
         cls.file = h5py.File(cls.folder / "out.h5", "r")
 
     @classmethod

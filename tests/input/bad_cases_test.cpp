@@ -42,7 +42,7 @@ TEST(BadCases, UnknownKeysNameTheNearestKnownKey) {
         {"duration = 20\n", "duration = 20\n[contact]\nfriction = 0.3\n",
          R"(case.toml:40:1: unknown key "contact.friction"; did you mean "static_friction"?)"},
         {"duration = 20\n", "duration = 20\n[output]\nzzzzzz = 0.3\n",
-         R"(case.toml:40:1: unknown key "output.zzzzzz"; known here: interval, profile_interval, checkpoint_interval, side_force_window)"},
+         R"(case.toml:40:1: unknown key "output.zzzzzz"; known here: interval, profile_interval, checkpoint_interval, side_force_window, cycles, sensor)"},
         {"diameter = 0.3111", "section = [{to = 500, diametre = 0.3}]",
          R"(case.toml:5:23: unknown key "well.section.0.diametre"; did you mean "diameter"?)"},
     });
@@ -224,6 +224,31 @@ TEST(BadCases, ASlipOfThePenIsNotSimulated) {
          "case.toml:31:25: head.rotation.1.1 is \"1e200 rpm\"; expected -100000 to 100000 rad/s"},
         {"[head]", "[head]\nposition = [0, 0, 1e30]",
          "case.toml:31:19: head.position.2 is 1e+30; expected -1e6 to 1e6 m"},
+    });
+}
+
+TEST(BadCases, SensorsHaveNamesOfTheirOwnAndPlacesInTheString) {
+    const std::string before = "duration = 20\n";
+    const auto sensors = [&](const std::string& list) {
+        return before + "[output]\nsensor = [" + list + "]\n";
+    };
+    expect_messages({
+        {before, sensors("{name = \"a/b\", depth = 1}"),
+         "case.toml:40:19: output.sensor.0.name is \"a/b\"; expected 1 to 64 letters, digits, "
+         "\"-\" "
+         "and \"_\", such as \"mwd\""},
+        {before, sensors("{name = \"a\", depth = 1}, {name = \"a\", depth = 2}"),
+         "case.toml:40:44: output.sensor.1.name is \"a\"; expected a name that no other sensor "
+         "has"},
+        {before, sensors("{name = \"a\"}"),
+         "case.toml:40:11: missing key \"output.sensor.0.depth\"; expected a place along the "
+         "string "
+         "such as \"12 m\""},
+        {before, sensors("{name = \"a\", depth = 1, interval = 1e-8}"),
+         "case.toml:40:46: output.sensor.0.interval makes 2e+09 records in 20 s; expected at most "
+         "1e+08, an interval of at least 2e-07 s"},
+        {before, before + "[output]\ncycles = {slope = 0}\n",
+         "case.toml:40:20: output.cycles.slope is 0; expected 1 to 20"},
     });
 }
 

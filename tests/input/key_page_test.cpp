@@ -140,6 +140,8 @@ interval = 1
 profile_interval = 1
 checkpoint_interval = 1
 side_force_window = 9
+cycles = {interval = 0.02, slope = 3}
+sensor = [{name = "mwd", depth = 12, measured_from = "bit", radius = 0.05, interval = 0.1}]
 )",
                                       R"([well]
 survey = "deep.csv"

@@ -80,6 +80,48 @@ TEST_F(Restarted, WhatACheckpointSaysIsShownAndNotObeyed) {
     expect_refused({}, "another integrator: \\x1b[2Jowned, not");
 }
 
+TEST_F(Restarted, RecordsOfSensorsAndCountsOfCyclesAreThoseOfARunThatWasNotStopped) {
+    const std::vector<std::string> asked = {
+        "--set",
+        "run.duration=60",
+        "--set",
+        "output.interval=0.1",
+        "--set",
+        "output.cycles={interval = 0.03}",
+        "--set",
+        "output.sensor=[{name = \"a\", depth = 7, interval = 0.02}, {name = \"b\", depth = 1, "
+        "measured_from = \"bit\", interval = 7}]"};
+    const auto command = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"run", "pipe.toml", "--quiet"};
+        words.insert(words.end(), asked.begin(), asked.end());
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    ASSERT_EQ(run(command({"-o", "whole.h5"})).code, 0);
+    const pid_t child = start(command({}));
+    while (!holds_records() && is_running(child))
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_EQ(::kill(child, SIGTERM), 0);
+    const Ending stopped = ending_of(child);
+    ASSERT_EQ(stopped.code, 130) << stopped.err;
+    const Ending ending = run(command({"--restart", "pipe.checkpoint.h5"}));
+    ASSERT_EQ(ending.code, 0) << ending.err;
+
+    const Result whole = read_result(desk() / "whole.h5");
+    const Result found = read_result(desk() / "pipe.h5");
+    ASSERT_EQ(found.sensors.at(0).size(), 3001U);
+    for (std::size_t k = 0; k < found.sensors[0].size(); ++k) {
+        EXPECT_EQ(found.sensors[0][k].time, whole.sensors.at(0)[k].time);
+        EXPECT_EQ(found.sensors[0][k].acceleration, whole.sensors[0][k].acceleration);
+        EXPECT_EQ(found.sensors[0][k].torque, whole.sensors[0][k].torque);
+    }
+    EXPECT_EQ(found.sensors.at(1).size(), 10U);
+    EXPECT_GT(found.footer.cycles.cycles.front(), 0);
+    EXPECT_EQ(found.footer.cycles.cycles, whole.footer.cycles.cycles);
+    EXPECT_EQ(found.footer.cycles.equivalent_range, whole.footer.cycles.equivalent_range);
+    EXPECT_EQ(found.footer.findings, whole.footer.findings);
+}
+
 TEST_F(Restarted, AResultWithFewerRecordsThanTheCheckpointIsRefused) {
     stop_a_run();
     ASSERT_EQ(run({"run", "pipe.toml", "--overwrite", "--quiet"}).code, 0);

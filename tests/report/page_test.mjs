@@ -84,7 +84,8 @@ let frame;  // a profile in its middle
 before(async () => {
   browser = await startBrowser();
   run("well2_drilling.toml", "well.h5", "run.duration=12", "output.profile_interval=0.1", "output.interval=0.05",
-    'head.rotation=[[0, 0], [2, "2 Hz"]]', 'bit.weight=[[2, 0], [4, "50 kN"]]');
+    'head.rotation=[[0, 0], [2, "2 Hz"]]', 'bit.weight=[[2, 0], [4, "50 kN"]]',
+    "output.cycles={}", 'output.sensor=[{name = "mwd", depth = "20 m", measured_from = "bit"}, {name = "top", depth = 3, interval = 1}]');
   frame = 57;
   well = JSON.parse(python("result_numbers.py", at("well.h5"), String(frame)));
   drillstrand("report", "well.h5");
@@ -92,7 +93,7 @@ before(async () => {
 
 test("every section of a run in a well is there, with the numbers of the result file", async () => {
   await withPage("well.html", wide, async (page) => {
-    assert.deepEqual(await sectionsOf(page), ["summary", "traces", "head", "view", "maps", "profiles", "orbit", "stickslip",
+    assert.deepEqual(await sectionsOf(page), ["summary", "traces", "head", "view", "maps", "profiles", "orbit", "sensors", "stickslip",
       "spectrum", "contact", "steps", "energy", "case"]);
     await showAll(page);
     const times = well["series/time"];
@@ -129,6 +130,16 @@ test("every section of a run in a well is there, with the numbers of the result 
     assertClose(energy[4].y, scaled(well["series/work"], 1e-3), "work");
     assert.equal(energy.length, 7);
 
+    const mwd = (await plotted(page, "sensors")).traces;
+    assert.equal(mwd.length, 8);
+    assertClose(mwd[0].x, well["sensors/mwd/time"], "times of the sensor");
+    assertClose(mwd[0].y, well["sensors/mwd/acceleration"].map(([axial]) => axial), "axial acceleration");
+    assertClose(mwd[2].y, well["sensors/mwd/acceleration"].map(([, , across]) => across), "acceleration along d2");
+    assertClose(mwd[3].y, scaled(well["sensors/mwd/rotation_rate"], 1 / rpm), "rotation of the sensor");
+    assertClose(mwd[6].y, scaled(well["sensors/mwd/torque"], 1e-3), "torque at the sensor");
+    await page.locator("#sensor").selectOption({ label: "top, 3 m from the head" });
+    assertClose((await plotted(page, "sensors")).traces[7].y, scaled(well["sensors/top/tension"], 1e-3), "tension at the top");
+
     const spin = (await plotted(page, "map-spin")).traces[0];
     assertClose(spin.x, well["profiles/time"], "times of the map");
     assertClose(spin.y, well["mesh/node_s"], "depths of the map");
@@ -154,10 +165,13 @@ test("every section of a run in a well is there, with the numbers of the result 
     assert.equal(await page.locator("#value-hook-load").textContent(), printed(well["series/hook_load"][last] / 1e3, "kN"));
     assert.equal(await page.locator("#value-torque").textContent(), printed(well["series/surface_torque"][last] / 1e3, "kN m"));
     assert.equal(await page.locator("#value-bit-rotation").textContent(), printed(well["series/bit_rotation_rate"][last] / rpm, "rpm"));
-    assert.deepEqual(well.findings.map((finding) => finding.split(": ")[0]), ["stick-slip", "whirl", "bounce", "walls", "penetration"]);
-    for (const finding of well.findings) {
+    const subjects = well.findings.map((finding) => finding.split(": ")[0]);
+    assert.deepEqual([...new Set(subjects)], ["stick-slip", "bounce", "whirl", "walls", "penetration", "cycles"]);
+    for (const [k, finding] of well.findings.entries()) {
       const [subject, ...what] = finding.split(": ");
-      assert.equal(await page.locator(`#value-finding-${subject}`).textContent(), what.join(": "));
+      const before = k - subjects.indexOf(subject);
+      const id = `#value-finding-${subject}${before ? `-${before + 1}` : ""}`;
+      assert.equal(await page.locator(id).textContent(), what.join(": "));
     }
     assert.equal(await page.locator("h1").textContent(), well.attributes.title);
     assert.equal(await page.locator(".status").textContent(), "complete");

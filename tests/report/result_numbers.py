@@ -16,6 +16,9 @@ with h5py.File(sys.argv[1]) as file:
                  "max_penetration", "helix_penetration", "contact_nodes", "whirl_backward", "whirl_forward", "whirl_rate",
                  "rolling_rate", "wall_drag", "kinetic_energy", "rotation_energy", "work"]:
         numbers["series/" + name] = series[name][...].tolist()
+    for sensor in file.get("sensors", {}):
+        for name, values in file["sensors"][sensor].items():
+            numbers[f"sensors/{sensor}/{name}"] = values[...].tolist()
     numbers["profile_count"] = profiles["time"].shape[0]
     if profiles["time"].shape[0]:
         wanted = sorted({0, profiles["time"].shape[0] - 1} | {int(k) for k in sys.argv[2:]})

@@ -53,6 +53,12 @@ class MadeUpRun {
 
     SeriesRecord series(double time) { return record(time, series_datasets()); }
     Profile profile(double time) { return record(time, profile_datasets()); }
+    SensorRecord sensor(double time) { return record(time, sensor_datasets("")); }
+    SegmentCycles cycles() {
+        SegmentCycles cycles;
+        fill(cycles, cycle_datasets());
+        return cycles;
+    }
 
   private:
     /// Any double but infinities and not-a-number, of any size.

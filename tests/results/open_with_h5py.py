@@ -82,6 +82,7 @@ SHAPES = {
     "/profiles/contact_force": (2, 8, 3),
     "/profiles/normal_force": (2, 8),
     "/profiles/side_force": (2, 8),
+    "/profiles/whirl_rate": (2, 8),
 }
 TEXTS = ["title", "case", "version", "commit", "integrator", "status"]
 NUMBERS = ["threads", "wall_seconds", "steps", "steps_rejected", "energy_residual"]

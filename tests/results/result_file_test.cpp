@@ -236,6 +236,8 @@ TEST(ResultFile, TheReadmeListsEveryDataset) {
                                       " | " + entry.description + " |"));
     expect_described(readme, series_datasets(), "T");
     expect_described(readme, profile_datasets(), "P");
+    expect_described(readme, sensor_datasets("NAME"), "K");
+    expect_described(readme, cycle_datasets(), "");
 }
 
 TEST(ResultFile, HasNoWellAndNoStringWhereTheHeaderHasNone) {

@@ -41,7 +41,17 @@ TEST(Transfer, EverythingOfARunComesThrough) {
         sent.series.push_back(run.series(k));
     for (int k = 0; k < 20; ++k)
         sent.profiles.push_back(run.profile(k));
+    sent.header.cycles = CyclesCase{0.02, 3};
+    sent.header.sensors = {{"mwd", 1200.5, 0.06, 0.005}, {"bit", 1300, 0, 0.01}};
+    sent.footer.cycles = run.cycles();
+    sent.sensors = {{run.sensor(0), run.sensor(0.005)}, {}};
     const Result got = through_a_pipe(sent);
+    EXPECT_EQ(got.header.cycles->slope, 3);
+    EXPECT_EQ(got.header.sensors.at(1).depth, 1300);
+    EXPECT_EQ(got.footer.cycles.largest_range, sent.footer.cycles.largest_range);
+    ASSERT_EQ(got.sensors.at(0).size(), 2U);
+    expect_same_bits(got.sensors[0][1], sent.sensors[0][1], sensor_datasets("mwd"));
+    EXPECT_TRUE(got.sensors.at(1).empty());
     EXPECT_EQ(got.header.title, sent.header.title);
     EXPECT_EQ(got.header.case_text, sent.header.case_text);
     EXPECT_EQ(got.header.integrator, sent.header.integrator);

@@ -70,6 +70,7 @@ class Pipe {
     }
 
     [[nodiscard]] Whirl whirl() const { return whirl_of(scene_, contacts(), velocity_); }
+    [[nodiscard]] std::vector<double> rates() const { return whirl_rates(contacts(), velocity_); }
     [[nodiscard]] double energy() const { return rotation_energy(scene_, velocity_); }
     [[nodiscard]] std::vector<NodeContact> contacts() const {
         const Surroundings surroundings(scene_);
@@ -128,6 +129,10 @@ TEST(Whirl, ForwardAndBackwardPartsAreToldApartAndTheirRateIsTheMean) {
     EXPECT_NEAR(whirl.rolling_rate, -17.5, 1e-9);
     const double moment = 6 * 4.5 + 18 + 13. / 12 * 19 + 5. / 12 * 20;
     EXPECT_NEAR(whirl.depth, first_depth + cell * moment / 8.5, 1e-9);
+    for (std::size_t k = 0; k <= 20; ++k) {
+        const double expected = k >= 18 ? -7 : k >= 2 && k <= 7 ? 4 : 0;
+        EXPECT_NEAR(pipe.rates()[k], expected, 1e-9) << "node " << k;
+    }
 }
 
 TEST(Whirl, AsksForEccentricityForASpinAndForAWayAroundTheWell) {

@@ -86,7 +86,7 @@ TEST(Failure, LeavesTheRecordsBeforeIt) {
             return true;
         }
     } counter;
-    EXPECT_THROW(simulate(*integrator, {1.0, 0.02, 0}, counter), SimulationError);
+    EXPECT_THROW(simulate(*integrator, {1.0, 0.02, 0, 0, {}}, counter), SimulationError);
     EXPECT_EQ(counter.records, 6);
 }
 

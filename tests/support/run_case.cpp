@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -37,6 +38,11 @@ class MemoryObserver : public Observer {
     explicit MemoryObserver(Run& run) : run_(run) {}
     void on_series(const SeriesRecord& record) override { run_.series.push_back(record); }
     void on_profile(const Profile& profile) override { run_.profiles.push_back(profile); }
+    void on_bending(const BendingRecord& record) override { run_.bending.push_back(record); }
+    void on_sensor(std::size_t sensor, const SensorRecord& record) override {
+        run_.sensors.resize(std::max(run_.sensors.size(), sensor + 1));
+        run_.sensors[sensor].push_back(record);
+    }
     bool on_progress(double /*time*/, const StepStatistics& /*statistics*/) override {
         return true;
     }
@@ -61,7 +67,10 @@ Run run(const Scene& scene, const RunCase& settings, const OutputCase& output, I
     Run result;
     result.cell = scene.mesh.cell;
     MemoryObserver observer(result);
-    simulate(*integrator, {settings.duration, output.interval, output.profile_interval}, observer);
+    Case asked;
+    asked.run = settings;
+    asked.output = output;
+    simulate(*integrator, run_schedule(asked), observer);
     result.statistics = integrator->statistics();
     return result;
 }

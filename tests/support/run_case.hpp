@@ -18,6 +18,8 @@ Case case_from(const std::string& toml);
 struct Run {
     std::vector<SeriesRecord> series;
     std::vector<Profile> profiles;
+    std::vector<BendingRecord> bending;
+    std::vector<std::vector<SensorRecord>> sensors;  ///< of each sensor
     StepStatistics statistics;
     std::vector<double>
         cell;  ///< of the nodes: what is lumped at one is a value per length of it (m)

@@ -282,6 +282,8 @@ TEST_P(Friction, RecordsSayThatAPipeCarriedAroundRollsInBackwardWhirl) {
         EXPECT_LT(record.energy.rotation, record.energy.kinetic);
     }
     EXPECT_NEAR(rate, -2 * std::numbers::pi, 0.02);
+    for (const double at_node : result.end().whirl_rate)
+        EXPECT_NEAR(at_node, result.last().whirl.rate, 1e-9);
     EXPECT_NEAR(rolling, rate, 0.005 * 2 * std::numbers::pi);
 }
 

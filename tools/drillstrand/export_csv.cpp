@@ -26,17 +26,28 @@ void add_name(std::string& line, const std::string& name) {
     line += name;
 }
 
-const std::vector<std::string>& components_of(const RecordDataset<SeriesRecord>& entry) {
-    static const std::vector<std::string> none{""};
+using Names = std::vector<std::string>;
+
+/// Names of the components of a dataset: of a series, or of a sensor.
+const Names& components_of(const RecordDataset<SeriesRecord>& entry) {
+    static const Names none{""};
     if (entry.components == 1) return none;
     return entry.components == 3 ? space_components() : stress_components();
 }
+const Names& components_of(const RecordDataset<SensorRecord>& entry) {
+    static const Names none{""};
+    static const Names across{"d1", "d2"};
+    static const Names body{"d3", "d1", "d2"};
+    if (entry.components == 1) return none;
+    return entry.components == 3 ? body : across;
+}
 
-std::string series_header() {
+template <class Record>
+std::string header_of(const std::vector<RecordDataset<Record>>& datasets) {
     std::string header;
-    for (const auto& entry : series_datasets()) {
+    for (const auto& entry : datasets) {
         const std::string name = entry.path.substr(entry.path.rfind('/') + 1);
-        const std::vector<std::string>& components = components_of(entry);
+        const Names& components = components_of(entry);
         for (std::size_t k = 0; k < components.size(); ++k)
             add_name(header, with_units(components[k].empty() ? name : name + '_' + components[k],
                                         unit_of(entry.units, k)));
@@ -44,13 +55,15 @@ std::string series_header() {
     return header + '\n';
 }
 
-void write_series(const fs::path& path, const std::vector<SeriesRecord>& series,
-                  Existing existing) {
+/// A row for each record, a column for each value.
+template <class Record>
+void write_records(const fs::path& path, const std::vector<RecordDataset<Record>>& datasets,
+                   const std::vector<Record>& records, Existing existing) {
     NewFile file(path, existing);
-    file.write(series_header());
-    for (const SeriesRecord& record : series) {
+    file.write(header_of(datasets));
+    for (const Record& record : records) {
         std::vector<double> values;
-        for (const auto& entry : series_datasets())
+        for (const auto& entry : datasets)
             entry.append(record, values);
         std::string line;
         for (const double value : values)
@@ -140,16 +153,27 @@ constexpr const char* nodes_name = "nodes.csv";
 constexpr const char* segments_name = "segments.csv";
 constexpr const char* well_name = "well.csv";
 
+std::string sensor_file(const SensorCase& sensor) {
+    return "sensor_" + sensor.name + ".csv";
+}
+
 }  // namespace
 
 std::vector<fs::path> csv_files(const fs::path& folder, const Result& result) {
     std::vector<fs::path> files{folder / series_name, folder / nodes_name, folder / segments_name};
     if (result.header.well) files.push_back(folder / well_name);
+    for (const SensorCase& sensor : result.header.sensors)
+        files.push_back(folder / sensor_file(sensor));
     return files;
 }
 
 void write_csv(const fs::path& folder, const Result& result, Existing existing) {
-    write_series(folder / series_name, result.series, existing);
+    write_records(folder / series_name, series_datasets(), result.series, existing);
+    for (std::size_t i = 0; i < result.sensors.size(); ++i) {
+        const SensorCase& sensor = result.header.sensors[i];
+        write_records(folder / sensor_file(sensor), sensor_datasets(sensor.name), result.sensors[i],
+                      existing);
+    }
     ProfileFields fields(result);
     const Profile none = profile_at_rest(result.header);
     write_profiles(

@@ -106,6 +106,7 @@ std::vector<ExportField> ProfileFields::of_nodes(const Profile& profile) {
     fields.push_back(three_of("contact_force", "N/m", space_components(), profile.contact_force));
     fields.push_back({"normal_force", "N/m", {}, profile.normal_force});
     fields.push_back({"side_force", "N/m", {}, profile.side_force});
+    fields.push_back({"whirl_rate", "rad/s", {}, profile.whirl_rate});
     if (!header.polar_inertia.empty()) fields.push_back(spin(profile, header.polar_inertia));
     add_constant(fields, "outer_radius", "m", header.outer_radius);
     if (well_) fields.push_back(offset(profile));

@@ -71,6 +71,9 @@ void print_extent(const Result& result) {
                    printable(header.component_name[k]));
     fmt::print("  series times     {}\n", times_text(result.series));
     fmt::print("  profile times    {}\n", times_text(result.profiles));
+    for (std::size_t k = 0; k < header.sensors.size(); ++k)
+        fmt::print("  {:<15}  {}, {:.6g} m from the head: {}\n", k == 0 ? "sensors" : "",
+                   header.sensors[k].name, header.sensors[k].depth, times_text(result.sensors[k]));
 }
 
 void print_ranges(const RecordDataset<SeriesRecord>& entry,

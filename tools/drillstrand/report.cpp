@@ -18,6 +18,7 @@
 #include "report_compare.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
+#include "report_sensors.hpp"
 #include "report_series.hpp"
 #include "report_string.hpp"
 #include "report_summary.hpp"
@@ -92,6 +93,7 @@ std::string metadata_of(const ReportOptions& options, const Result& result, bool
                         {"facts", facts_json(result)},
                         {"case_text", json_text(result.header.case_text)},
                         {"units", units_json()},
+                        {"sensors", sensors_json(result.header)},
                         {"well", boolean(result.header.well.has_value())},
                         {"has_time_error", boolean(result.footer.statistics.time_error > 0)},
                         {"dense_start", json_number(uniform.start)},
@@ -110,6 +112,7 @@ PageContent page_of(const ReportOptions& options, const Result& result, bool liv
         notes.push_back("Warning: " + warning + ".");
     add_series(result, arrays, notes);
     add_string(result, arrays, notes);
+    add_sensors(result, arrays, notes);
     if (comparison) add_measured(measured->channels, measured->offset, arrays, notes);
     return {result.header.title, metadata_of(options, result, live, arrays, notes, comparison),
             arrays.base64()};

@@ -55,7 +55,7 @@ Picks choose(const Result& result) {
     picks.nodes = pick_evenly(result.header.node_s.size(), most_nodes);
     picks.segments = pick_evenly(result.header.segment_s.size(), most_nodes);
     const std::size_t offsets = result.header.well ? 2 : 3;
-    const std::size_t per_profile = (offsets + 2) * picks.nodes.size() + 3 * picks.segments.size();
+    const std::size_t per_profile = (offsets + 3) * picks.nodes.size() + 3 * picks.segments.size();
     picks.profiles =
         pick_evenly(result.profiles.size(), most_values / std::max<std::size_t>(1, per_profile));
     return picks;
@@ -160,9 +160,12 @@ void add_fields(const Result& result, const Picks& picks, ArrayBlock& arrays) {
     segments("profiles/torque", [](const Vector6& stress) { return -stress[0]; });
     segments("profiles/bending",
              [](const Vector6& stress) { return std::hypot(stress[1], stress[2]); });
-    if (result.header.well)
+    if (result.header.well) {
         add_field("profiles/side", result, picks.profiles, picks.nodes, arrays,
                   [](const Profile& profile, std::size_t k) { return profile.side_force[k]; });
+        add_field("profiles/whirl", result, picks.profiles, picks.nodes, arrays,
+                  [](const Profile& profile, std::size_t k) { return profile.whirl_rate[k]; });
+    }
     const auto& inertia = result.header.polar_inertia;
     if (!inertia.empty())
         add_field("profiles/spin", result, picks.profiles, picks.nodes, arrays,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -259,9 +260,12 @@ Items load_items(const Result& result) {
 /// What the string did, as the run found it.
 Items finding_items(const ResultFooter& footer) {
     Items items;
+    std::map<std::string, int> seen;
     for (const std::string& finding : footer.findings) {
         FindingText text = finding_text(finding);
-        const std::string id = "finding-" + text.subject;
+        std::string id = "finding-" + text.subject;
+        if (const int before = seen[text.subject]++; before > 0)
+            id += fmt::format("-{}", before + 1);
         if (!text.subject.empty())
             text.subject[0] =
                 static_cast<char>(std::toupper(static_cast<unsigned char>(text.subject[0])));

@@ -50,6 +50,8 @@ ResultHeader run_header(const Case& input, const Scene& scene, int threads, Isa 
     ResultHeader header = result_header(input, scene);
     header.threads = threads;
     header.isa = isa_name(isa);
+    header.cycles = input.output.cycles;
+    header.sensors = input.output.sensors;
     return header;
 }
 
@@ -62,7 +64,7 @@ class Recorder : public Observer {
              const Integrator& integrator, Checkpoint origin, fs::path checkpoint_path, bool quiet)
         : writer_(std::move(writer)),
           integrator_(integrator),
-          summary_(scene),
+          summary_(scene, input),
           checkpoint_(std::move(origin)),
           checkpoint_path_(std::move(checkpoint_path)),
           checkpoint_interval_(input.output.checkpoint_interval),
@@ -81,6 +83,12 @@ class Recorder : public Observer {
     void on_profile(const Profile& profile) override {
         writer_.append(profile);
         ++checkpoint_.profiles;
+    }
+
+    void on_bending(const BendingRecord& record) override { summary_.add(record); }
+
+    void on_sensor(std::size_t sensor, const SensorRecord& record) override {
+        writer_.append(sensor, record);
     }
 
     bool on_progress(double time, const StepStatistics& /*statistics*/) override {
@@ -147,6 +155,7 @@ class Recorder : public Observer {
         for (std::string& warning : warnings())
             footer.warnings.push_back(std::move(warning));
         footer.findings = summary_.findings();
+        footer.cycles = summary_.cycles();
         footer.statistics = integrator_.statistics();
         footer.statistics.time_error = summary_.time_error_largest();
         return footer;
@@ -223,6 +232,14 @@ int end_interrupted(Recorder& recorder, const fs::path& output) {
     return interrupted;
 }
 
+/// Records of each sensor that a run has taken until a checkpoint.
+std::vector<std::size_t> sensor_records(const RunSchedule& schedule, const Checkpoint& origin) {
+    std::vector<std::size_t> counts;
+    for (const SensorCase& sensor : schedule.sensors)
+        counts.push_back(records_until(origin.time, sensor.interval, schedule.duration));
+    return counts;
+}
+
 /// Takes the state of a checkpoint up. Throws ResultError where it is not of this run.
 void take_up(const Checkpoint& checkpoint, const fs::path& path, const ResultHeader& header,
              bool same_bits_everywhere, Integrator& integrator) {
@@ -266,12 +283,12 @@ int run(const RunOptions& options) {
         for (const std::string& sentence : estimate_step(input, scene).substeps)
             say("drillstrand: substeps: {}\n", sentence);
     watch_signals();
-    Recorder recorder(goes_on ? ResultWriter::resume(output, header, taken.series, taken.profiles)
+    const RunSchedule schedule = run_schedule(input);
+    Recorder recorder(goes_on ? ResultWriter::resume(output, header, taken.series, taken.profiles,
+                                                     sensor_records(schedule, origin))
                               : ResultWriter(output, header, rules.existing()),
                       scene, input, *integrator, std::move(origin), checkpoint_file, options.quiet);
     try {
-        const RunSchedule schedule{input.run.duration, input.output.interval,
-                                   input.output.profile_interval};
         if (simulate(*integrator, schedule, recorder, taken) == RunOutcome::stopped)
             return end_interrupted(recorder, output);
         recorder.close("complete");

@@ -198,13 +198,32 @@ void transfer(Pipe& pipe, std::optional<Value>& value) {
 }
 
 template <class Pipe>
+void transfer(Pipe& pipe, CyclesCase& cycles) {
+    auto& [interval, slope] = cycles;
+    transfer_all(pipe, interval, slope);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, SensorCase& sensor) {
+    auto& [name, depth, radius, interval] = sensor;
+    transfer_all(pipe, name, depth, radius, interval);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, SegmentCycles& cycles) {
+    auto& [count, largest_range, equivalent_range] = cycles;
+    transfer_all(pipe, count, largest_range, equivalent_range);
+}
+
+template <class Pipe>
 void transfer(Pipe& pipe, ResultHeader& header) {
     auto& [title, case_text, integrator, threads, isa, node_s, segment_s, component_name,
            component_start, component_end, cell, mass, weight, outer_radius, polar_inertia,
-           metal_area, yield_tension, yield_bending, yield_torque, well] = header;
+           metal_area, yield_tension, yield_bending, yield_torque, well, cycles, sensors] = header;
     transfer_all(pipe, title, case_text, integrator, threads, isa, node_s, segment_s,
                  component_name, component_start, component_end, cell, mass, weight, outer_radius,
-                 polar_inertia, metal_area, yield_tension, yield_bending, yield_torque, well);
+                 polar_inertia, metal_area, yield_tension, yield_bending, yield_torque, well,
+                 cycles, sensors);
 }
 
 template <class Pipe>
@@ -216,10 +235,11 @@ void transfer(Pipe& pipe, StepStatistics& statistics) {
 template <class Pipe>
 void transfer(Pipe& pipe, ResultFooter& footer) {
     auto& [status, wall_seconds, energy_residual, largest_penetration, time_error_median,
-           stick_slip_index, stuck_share, unloaded_share, warnings, findings, statistics] = footer;
+           stick_slip_index, stuck_share, unloaded_share, warnings, findings, cycles, statistics] =
+        footer;
     transfer_all(pipe, status, wall_seconds, energy_residual, largest_penetration,
                  time_error_median, stick_slip_index, stuck_share, unloaded_share, warnings,
-                 findings, statistics);
+                 findings, cycles, statistics);
 }
 
 /// Records by the table of their datasets, as files hold them.
@@ -253,6 +273,12 @@ void transfer(Pipe& pipe, SeriesRecord& record) {
 template <class Pipe>
 void transfer(Pipe& pipe, Profile& profile) {
     transfer_record(pipe, profile, profile_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, SensorRecord& record) {
+    static const auto layout = sensor_datasets("");
+    transfer_record(pipe, record, layout);
 }
 
 template <class Pipe>
@@ -303,8 +329,8 @@ void transfer(Pipe& pipe, TorqueDrag& study) {
 
 template <class Pipe>
 void transfer(Pipe& pipe, Result& result) {
-    auto& [header, footer, version, commit, series, profiles] = result;
-    transfer_all(pipe, header, footer, version, commit, series, profiles);
+    auto& [header, footer, version, commit, series, profiles, sensors] = result;
+    transfer_all(pipe, header, footer, version, commit, series, profiles, sensors);
 }
 
 template <class Pipe>

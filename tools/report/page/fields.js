@@ -3,6 +3,7 @@
 const hasProfiles = () => has("profiles/time") && array("profiles/time").length > 0;
 const hasYield = () => has("string/yield_strength");
 const hasSpin = () => has("profiles/spin");
+const whirls = () => array("profiles/whirl").some((rate) => rate !== 0);
 
 /** A stress in Pa from axial force, bending moment and torque, segment by segment. */
 function stresses(frame, combine) {
@@ -28,8 +29,11 @@ function availableFields() {
   } else {
     fields.bending = { title: "Bending moment", quantity: "moment", on: "segments", values: stored("bending") };
   }
-  if (metadata.well)
+  if (metadata.well) {
     fields.side = { title: "Side force", quantity: "sideForce", on: "nodes", values: stored("side") };
+    if (whirls())
+      fields.whirl = { title: "Whirl rate", quantity: "rotation", on: "nodes", signed: true, values: stored("whirl") };
+  }
   if (hasSpin())
     fields.spin = { title: "Spin", quantity: "rotation", on: "nodes", values: stored("spin") };
   return fields;

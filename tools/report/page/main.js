@@ -120,6 +120,7 @@ addView();
 addMaps();
 addProfiles();
 addOrbit();
+addSensors();
 addStickSlip();
 addSpectrum();
 addContact();

@@ -3,9 +3,10 @@
 function addMaps() {
   if (!hasProfiles() || frameCount() < 2) return;
   const section = addSection("maps", "Along the string, over time",
-    "Depth is measured along the string from its head. In the map of spin, stick-slip shows as stripes: dark where the string stands. Colours end where 99 % of the values lie.", "Maps");
+    "Depth is measured along the string from its head. In the map of spin, stick-slip shows as stripes: dark where the string stands. Whirl against the rotation is negative. Colours end where 99 % of the values lie.", "Maps");
   const fields = availableFields();
-  for (const [name, title] of [["side", "Side force"], ["bending", fields.bending.title], ["spin", "Spin"]]) {
+  for (const [name, title] of [["side", "Side force"], ["bending", fields.bending.title], ["spin", "Spin"],
+    ["whirl", "Whirl rate"]]) {
     const field = fields[name];
     if (!field) continue;
     section.append(element("h3", {}, title));
@@ -28,7 +29,7 @@ function mapOf(field, name) {
     y: converted(depths(field), "length"),
     z: Array.from({ length: time.length }, (_, frame) => field.values(frame).map((value) => value * factor)),
     transpose: true,
-    colorscale: name === "bending" ? "Cividis" : sequential,
+    colorscale: isDiverging(field) ? diverging() : name === "bending" ? "Cividis" : sequential,
     zmin: least * factor,
     zmax: most * factor,
     colorbar: {

@@ -8,6 +8,7 @@ const quantities = {
   share: inBoth("%", 0.01),
   frequency: inBoth("Hz", 1),
   count: inBoth("", 1),
+  acceleration: { si: ["m/s²", 1], field: ["g", 9.80665] },
 };
 
 const unitOf = (quantity) => quantities[quantity][state.units][0];
