@@ -3,7 +3,15 @@
 const hasProfiles = () => has("profiles/time") && array("profiles/time").length > 0;
 const hasYield = () => has("string/yield_strength");
 const hasSpin = () => has("profiles/spin");
-const whirls = () => array("profiles/whirl").some((rate) => rate !== 0);
+
+/** Colours end where all but a hundredth of the values lie: single impacts would drown the rest. */
+const rangeShare = 0.99;
+
+/** Whether so much whirls that the colours of a map tell of it. */
+function whirls() {
+  const rates = array("profiles/whirl");
+  return rates.reduce((count, rate) => count + (rate !== 0), 0) > 2 * (1 - rangeShare) * rates.length;
+}
 
 /** A stress in Pa from axial force, bending moment and torque, segment by segment. */
 function stresses(frame, combine) {
@@ -43,9 +51,6 @@ const depths = (field) => array(field.on === "nodes" ? "mesh/node_s" : "mesh/seg
 const frameCount = () => array("profiles/time").length;
 
 const rangeOfField = new Map();
-
-/** Colours end where all but a hundredth of the values lie: single impacts would drown the rest. */
-const rangeShare = 0.99;
 
 /** Least and greatest value of a field that has a colour of its own. */
 function fieldRange(field) {
