@@ -248,7 +248,7 @@ TEST(BadCases, SensorsHaveNamesOfTheirOwnAndPlacesInTheString) {
          "case.toml:40:46: output.sensor.0.interval makes 2e+09 records in 20 s; expected at most "
          "1e+08, an interval of at least 2e-07 s"},
         {before, before + "[output]\ncycles = {slope = 0}\n",
-         "case.toml:40:20: output.cycles.slope is 0; expected 1 to 20"},
+         "case.toml:40:19: output.cycles.slope is 0; expected 1 to 20"},
     });
 }
 

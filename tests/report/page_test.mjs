@@ -138,6 +138,7 @@ test("every section of a run in a well is there, with the numbers of the result 
     assertClose(mwd[3].y, scaled(well["sensors/mwd/rotation_rate"], 1 / rpm), "rotation of the sensor");
     assertClose(mwd[6].y, scaled(well["sensors/mwd/torque"], 1e-3), "torque at the sensor");
     await page.locator("#sensor").selectOption({ label: "top, 3 m from the head" });
+    await showSection(page, "sensors");
     assertClose((await plotted(page, "sensors")).traces[7].y, scaled(well["sensors/top/tension"], 1e-3), "tension at the top");
 
     const spin = (await plotted(page, "map-spin")).traces[0];
