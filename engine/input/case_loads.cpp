@@ -101,8 +101,7 @@ void read_cutting(const Table& table, BitCase& bit, const StringCase& string) {
                                              cutting.specific_energy, plausible::rock_strength);
     cutting.flat_friction =
         rock.number("flat_friction", cutting.flat_friction, plausible::friction);
-    constexpr Dimension speed{0, 1, -1};
-    bit.feed = table.scalar_schedule("feed", speed, plausible::speed);
+    bit.feed = table.scalar_schedule("feed", dimension::speed, plausible::speed);
     bit.off_bottom =
         table.quantity("off_bottom", dimension::length, bit.off_bottom, plausible::length_or_none);
     if (string.components.back().outer_diameter == 0)
@@ -193,9 +192,8 @@ ContactCase read_contact(const Table& root) {
                               contact.static_friction, sliding);
     contact.law = table.choice<FrictionLaw>(
         "law", contact.law, {{"coulomb", FrictionLaw::coulomb}, {"paper", FrictionLaw::paper}});
-    constexpr Dimension speed{0, 1, -1};
-    contact.stribeck_speed =
-        table.quantity("stribeck_speed", speed, contact.stribeck_speed, plausible::speed_or_none);
+    contact.stribeck_speed = table.quantity("stribeck_speed", dimension::speed,
+                                            contact.stribeck_speed, plausible::speed_or_none);
     if (contact.stribeck_speed > 0 && contact.law == FrictionLaw::paper)
         refuse_key(table, "stribeck_speed", "contact.law = \"coulomb\"");
     contact.tension = table.boolean("tension", contact.tension);

@@ -315,10 +315,8 @@ Scene scene_of(const Case& input) {
     scene.contact = input.contact;
     scene.side_force_window = input.output.side_force_window;
     scene.damping = input.damping;
-    scene.gravity = input.gravity;
     scene.head = input.head;
     scene.bit = input.bit;
-    scene.gravity = input.gravity;
     scene.local_steps = input.run.local_steps;
     scene.gravity = input.gravity;
     if (input.well) set_well(scene, *input.well);

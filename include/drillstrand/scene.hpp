@@ -72,7 +72,6 @@ struct Scene {
     DampingCase damping;
     HeadCase head;
     BitCase bit;
-    double gravity = 0;             ///< m/s2
     Eigen::Vector3d down{0, 0, 1};  ///< direction of gravity
     double gravity = 0;             ///< m/s2
 

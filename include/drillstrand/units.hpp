@@ -34,7 +34,6 @@ inline constexpr Dimension viscosity{1, -1, -1};
 inline constexpr Dimension density{1, -3, 0};
 inline constexpr Dimension area{0, 2, 0};
 inline constexpr Dimension flow_rate{0, 3, -1};
-inline constexpr Dimension speed{0, 1, -1};
 inline constexpr Dimension linear_density{1, -1, 0};
 inline constexpr Dimension curvature{0, -1, 0};
 inline constexpr Dimension bending_stiffness{1, 3, -2};
