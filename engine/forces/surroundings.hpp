@@ -18,9 +18,10 @@ namespace drillstrand {
 
 /// Constants of the surroundings that all nodes share.
 struct SurroundingsParameters {
-    double least_normal = 0;   ///< 0, or minus infinity where the dashpot may pull (N/m)
-    double restitution = -1;   ///< that a case asks for; -1 where spring and dashpot tell
-    bool varied_wall = false;  ///< friction, firmness or diameter vary along the well
+    double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
+    double restitution = -1;  ///< that a case asks for; -1 where spring and dashpot tell
+    bool varied_wall =
+        false;  ///< friction, firmness or diameter vary along the well, or friction with speed
     FrictionParameters friction{};
     double density = 0;    ///< kg/m3
     double viscosity = 0;  ///< Pa s

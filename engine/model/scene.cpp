@@ -131,9 +131,10 @@ SceneFeatures features_of(const Case& input, const std::optional<Well>& well,
                           const StringMesh& mesh) {
     SceneFeatures features;
     features.well = input.well.has_value();
-    features.varied_wall =
-        well && (well->varies_along() || std::any_of(input.well->sections.begin(),
-                                                     input.well->sections.end(), has_own_friction));
+    // friction that falls with speed is in these kernels alone: each version takes long to compile
+    features.varied_wall = well && (well->varies_along() || input.contact.stribeck_speed > 0 ||
+                                    std::any_of(input.well->sections.begin(),
+                                                input.well->sections.end(), has_own_friction));
     if (features.well && input.fluid) {
         const FluidCase& fluid = *input.fluid;
         features.inertial_flow = fluid.drag && fluid.regime == FlowRegime::inertial;

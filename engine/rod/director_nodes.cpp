@@ -539,9 +539,11 @@ DRILLSTRAND_INLINE double touch_wall(const Well& well, const Wall& wall, std::si
     }
     if (well.friction.law == FrictionLaw::paper)
         return rub_nodes<FrictionLaw::paper, false>(well, wall, count);
-    return well.friction.inverse_speed2 > 0.0
-               ? rub_nodes<FrictionLaw::coulomb, true>(well, wall, count)
-               : rub_nodes<FrictionLaw::coulomb, false>(well, wall, count);
+    if constexpr (Wall::varies) {
+        if (well.friction.inverse_speed2 > 0.0)
+            return rub_nodes<FrictionLaw::coulomb, true>(well, wall, count);
+    }
+    return rub_nodes<FrictionLaw::coulomb, false>(well, wall, count);
 }
 
 template <Around around, bool heavy, Damping damping, bool curved>

@@ -23,33 +23,11 @@ INSTANTIATE_TEST_SUITE_P(By, Drag, both_integrators, integrator_name);
 
 /// The casing of the paper's table 4 in its well, made vertical.
 Case casing_in_mud(IntegratorKind integrator, InsideOfPipe inside) {
-    Case input;
-    input.gravity = 9.81;
-    WellCase well;
-    well.survey = {{0, 0, 0}, {520, 0, 0}};
-    well.sections = {{520, 0.3111}};
-    input.well = well;
     FluidCase mud;
     mud.density = 1917;
     mud.inside = inside;
     mud.drag = false;
-    input.fluid = mud;
-    Component casing;
-    casing.length = 515;
-    casing.outer_diameter = 0.2445;
-    casing.inner_diameter = 0.2266;
-    casing.linear_density = 52.0925;
-    casing.youngs_modulus = 200e9;
-    casing.poisson_ratio = 0;
-    input.string.components = {casing};
-    input.mesh.segments = 10;
-    input.mesh.segment_inertia = true;
-    input.damping.external = {600, 600};  // brings the string to rest within seconds
-    input.run.integrator = integrator;
-    input.run.duration = 8;
-    input.run.threads = 1;
-    input.output.interval = 8;
-    return input;
+    return hanging_casing(integrator, mud);
 }
 
 /// Pull on the head of the string at rest: the first segment's and that of the half cell above.

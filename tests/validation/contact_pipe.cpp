@@ -64,6 +64,29 @@ void load(Case& input, double end, double step, const std::function<Vector3d(dou
     input.head.moment = input.bit.dead_moment = VectorSchedule(times, couples);
 }
 
+Case hanging_casing(IntegratorKind integrator, const FluidCase& fluid) {
+    Case input;
+    input.gravity = 9.81;
+    input.well = WellCase{{{0, 0, 0}, {520, 0, 0}}, {{520, 0.3111}}};
+    input.fluid = fluid;
+    Component casing;
+    casing.length = 515;
+    casing.outer_diameter = 0.2445;
+    casing.inner_diameter = 0.2266;
+    casing.linear_density = 52.0925;
+    casing.youngs_modulus = 200e9;
+    casing.poisson_ratio = 0;
+    input.string.components = {casing};
+    input.mesh.segments = 10;
+    input.mesh.segment_inertia = true;
+    input.damping.external = {600, 600};  // brings the string to rest within seconds
+    input.run.integrator = integrator;
+    input.run.duration = 8;
+    input.run.threads = 1;
+    input.output.interval = 0.5;
+    return input;
+}
+
 void push_east(Case& input, double momentum) {
     const double peak = momentum / 0.05;
     load(

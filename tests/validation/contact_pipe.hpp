@@ -35,6 +35,10 @@ void lay_down(Case& input, double inclination);
 void load(Case& input, double end, double step, const std::function<Eigen::Vector3d(double)>& force,
           const std::function<Eigen::Vector3d(double)>& couple);
 
+/// 515 m of casing, 52.0925 kg/m, that hang in a vertical hole of 0.3111 m full of a fluid and come
+/// to rest within 8 s.
+Case hanging_casing(IntegratorKind integrator, const FluidCase& fluid);
+
 /// Pushes a pipe at rest to the East within 0.1 s, to a momentum per length (kg/s).
 void push_east(Case& input, double momentum);
 

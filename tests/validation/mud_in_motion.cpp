@@ -71,9 +71,6 @@ TEST_P(MudInMotion, PipeThatTurnsInAPowerLawTakesTheTorqueOfItsShear) {
 
 /// Casing that hangs in a vertical well while mud is pumped, damped.
 Case pumped_casing(IntegratorKind integrator) {
-    Case input;
-    input.gravity = 9.81;
-    input.well = WellCase{{{0, 0, 0}, {520, 0, 0}}, {{520, 0.3111}}};
     FluidCase mud;
     mud.density = 1200;
     mud.viscosity = 0.5;
@@ -81,23 +78,7 @@ Case pumped_casing(IntegratorKind integrator) {
     mud.yield_stress = 5;
     mud.flow_rate = 0.04;
     mud.nozzle_area = 1e-3;
-    input.fluid = mud;
-    Component casing;
-    casing.length = 515;
-    casing.outer_diameter = 0.2445;
-    casing.inner_diameter = 0.2266;
-    casing.linear_density = 52.0925;
-    casing.youngs_modulus = 200e9;
-    casing.poisson_ratio = 0;
-    input.string.components = {casing};
-    input.mesh.segments = 10;
-    input.mesh.segment_inertia = true;
-    input.damping.external = {600, 600};  // brings the string to rest within seconds
-    input.run.integrator = integrator;
-    input.run.duration = 8;
-    input.run.threads = 1;
-    input.output.interval = 0.5;
-    return input;
+    return hanging_casing(integrator, mud);
 }
 
 TEST_P(MudInMotion, HangingStringWeighsItsBuoyedWeightLessTheLift) {

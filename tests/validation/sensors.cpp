@@ -97,7 +97,7 @@ TEST_P(Sensors, AtRestFeelGravityAlongAndAcrossAStringThatLeans) {
         interval = 1
         sensor = [{name = "s", depth = 4, measured_from = "bit", interval = 1}]
         )",
-                                        200));
+                                              200));
     const SensorRecord& end = result.sensors.at(0).back();
     EXPECT_NEAR(end.acceleration.norm(), gravity, 1e-3);
     // nodes 6 and 7 are on either side; the sensor is at node 6
