@@ -121,7 +121,7 @@ struct ArkodeStrand::Solver {
 ArkodeStrand::Solver::Solver(const Scene& the_scene, double tolerance, int order)
     : scene(the_scene),
       string(the_scene),
-      head(string.head.start()),
+      head(string.head.start(the_scene.head_frame.col(0))),
       wall(model.surroundings.wall_at(positions(initial_poses(the_scene)))),
       work(model.segments + 1),
       state(model.segments + 1),
@@ -208,7 +208,7 @@ void ArkodeStrand::Solver::read(const double* y, double t) {
         for (std::size_t k = 0; k < entries; ++k)
             values[k] = y[stride * k + row];
     }
-    string.head.prescribe(state, t);
+    string.head.prescribe(state, inertia_of(scene, 0, 0.0), t);
 }
 
 void ArkodeStrand::Solver::write_rate(double* y) const {

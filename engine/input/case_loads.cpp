@@ -97,8 +97,10 @@ void read_cutting(const Table& table, BitCase& bit, const StringCase& string) {
         rock.number("inclination", cutting.inclination, plausible::cutter_inclination);
     cutting.wear_flat =
         rock.quantity("wear_flat", dimension::length, cutting.wear_flat, plausible::length_or_none);
-    cutting.contact_strength = rock.quantity("contact_strength", dimension::pressure,
-                                             cutting.specific_energy, plausible::rock_strength);
+    cutting.contact_strength = cutting.specific_energy;
+    if (const std::optional<Value> strength = rock.find("contact_strength"))
+        cutting.contact_strength =
+            strength->quantity(dimension::pressure, plausible::rock_strength);
     cutting.flat_friction =
         rock.number("flat_friction", cutting.flat_friction, plausible::friction);
     bit.feed = table.scalar_schedule("feed", dimension::speed, plausible::speed);

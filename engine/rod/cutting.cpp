@@ -11,6 +11,16 @@ namespace {
 /// Places between two blades at which the surface is kept.
 constexpr std::size_t places = 512;
 
+/// A place as one of those that are kept: whole turns from blade to blade do not count.
+double around(double place) {
+    constexpr auto all = static_cast<double>(places);
+    return place - all * std::floor(place / all);
+}
+
+std::size_t index_of(double place) {
+    return static_cast<std::size_t>(around(place)) % places;
+}
+
 }  // namespace
 
 double Cutting::stiffness(const CuttingCase& given, double radius) {
@@ -33,24 +43,17 @@ RockState Cutting::start(double off_bottom) const {
     return rock;
 }
 
-std::size_t Cutting::index_of(double place) const {
-    constexpr auto all = static_cast<double>(places);
-    return static_cast<std::size_t>(place - all * std::floor(place / all));
+double Cutting::to_next(const RockState& rock) {
+    return (rock.way > 0 ? std::floor(rock.place) + 1 : std::ceil(rock.place) - 1) - rock.place;
 }
 
-double Cutting::next_place(const RockState& rock) const {
-    const double at = rock.last_angle / piece_;
-    return rock.way > 0 ? std::floor(at) + 1 : std::ceil(at) - 1;
+double Cutting::surface_at(const RockState& rock) {
+    const double to = to_next(rock);
+    const double ahead = rock.surface[index_of(rock.place + to)];
+    return rock.last_surface + rock.beyond / to * (ahead - rock.last_surface);
 }
 
-double Cutting::surface_at(const RockState& rock) const {
-    const double next = next_place(rock);
-    const double ahead = rock.surface[index_of(next)];
-    const double part = (rock.angle - rock.last_angle) / (next * piece_ - rock.last_angle);
-    return rock.last_surface + part * (ahead - rock.last_surface);
-}
-
-double Cutting::depth_of_cut(const RockState& rock) const {
+double Cutting::depth_of_cut(const RockState& rock) {
     return std::max(rock.depth - surface_at(rock), 0.0);
 }
 
@@ -71,26 +74,29 @@ double Cutting::flat_torque(double flat_weight) const {
 }
 
 void Cutting::advance(RockState& rock, double turn, double sink) const {
-    const double start = rock.angle;
     const double from = rock.depth;
+    const double turned = turn / piece_;
     if (turn * rock.way < 0) {
         // back over what it has just cut
         rock.last_surface = std::max(surface_at(rock), from);
-        rock.last_angle = start;
+        rock.place = around(rock.place + rock.beyond);
+        rock.beyond = 0;
         rock.way = -rock.way;
     }
-    const double end = start + turn;
+    double passed = -rock.beyond;        // from here to the last place
+    double left = rock.beyond + turned;  // from there to the end
     // blades that turn by more than their distance meet what they have cut in this very step
-    for (std::size_t i = 0; i < places; ++i) {
-        const double next = next_place(rock);
-        const double angle = next * piece_;
-        if ((end - angle) * rock.way < 0 || turn == 0) break;
-        double& surface = rock.surface[index_of(next)];
-        rock.last_angle = angle;
-        rock.last_surface = surface;
-        surface = std::max(surface, from + sink * (angle - start) / turn);
+    for (std::size_t i = 0; i < places && turn != 0; ++i) {
+        const double to = to_next(rock);
+        if ((left - to) * rock.way < 0) break;
+        passed += to;
+        left -= to;
+        const std::size_t next = index_of(rock.place + to);
+        rock.place = static_cast<double>(next);
+        rock.last_surface = rock.surface[next];
+        rock.surface[next] = std::max(rock.surface[next], from + sink * passed / turned);
     }
-    rock.angle = end;
+    rock.beyond = left - std::trunc(left);
     rock.depth = from + sink;
 }
 

@@ -1,8 +1,6 @@
 /// Rock under the blades of a drag bit: engine/rod/README.md, "Cutting".
 #pragma once
 
-#include <cstddef>
-
 #include "drillstrand/case.hpp"
 #include "state/rows.hpp"
 
@@ -19,7 +17,7 @@ class Cutting {
     /// The bottom before anything is cut.
     [[nodiscard]] RockState start(double off_bottom) const;
     /// Depth that each blade cuts (m): 0 where it has left the rock.
-    [[nodiscard]] double depth_of_cut(const RockState& rock) const;
+    [[nodiscard]] static double depth_of_cut(const RockState& rock);
     /// What cutting asks of the bit: weight (N), and torque against a rotation (N m).
     [[nodiscard]] double weight(const RockState& rock) const;
     [[nodiscard]] double torque(const RockState& rock) const;
@@ -32,11 +30,10 @@ class Cutting {
     void advance(RockState& rock, double turn, double sink) const;
 
   private:
-    /// The rock under the blades at an angle between those of the last place and the next (m).
-    [[nodiscard]] double surface_at(const RockState& rock) const;
-    /// The next place of the grid on the way that the bit turns, as a number of pieces.
-    [[nodiscard]] double next_place(const RockState& rock) const;
-    [[nodiscard]] std::size_t index_of(double place) const;
+    /// From the last place to the next on the way that the bit turns, in places.
+    [[nodiscard]] static double to_next(const RockState& rock);
+    /// The rock under the blades, between those places (m).
+    [[nodiscard]] static double surface_at(const RockState& rock);
 
     double piece_;         ///< rad, angle between places at which the surface is kept
     double stiffness_;     ///< N/m

@@ -191,9 +191,9 @@ inline constexpr auto field_list<BitState> = std::to_array<Field<BitState>>({
 /// The rock under a bit that cuts it, all angles alike from blade to blade.
 struct RockState {
     double depth = 0;
-    double angle = 0;
     double way = 0;
-    double last_angle = 0;
+    double place = 0;
+    double beyond = 0;
     double last_surface = 0;
     double flat_weight = 0;
     std::vector<double> surface = {0.0};
@@ -202,9 +202,9 @@ struct RockState {
 template <>
 inline constexpr auto field_list<RockState> = std::to_array<Field<RockState>>({
     {&RockState::depth, "depth", "m", "bit law: of the blades below the bottom at the start"},
-    {&RockState::angle, "angle", "rad", "bit law: that the bit has turned"},
     {&RockState::way, "way", "1", "bit law: 1 where it turned on, -1 where back; 0 without rock"},
-    {&RockState::last_angle, "last_angle", "rad", "bit law: of the last place that a blade passed, or where it turned back"},
+    {&RockState::place, "place", "1", "bit law: number of the last place that a blade passed, or of where it turned back"},
+    {&RockState::beyond, "beyond", "1", "bit law: what the blades are beyond it, in places"},
     {&RockState::last_surface, "last_surface", "m", "bit law: depth of the rock there before it was cut"},
     {&RockState::flat_weight, "flat_weight", "N", "bit law: on the wear flats in the last step"},
     {&RockState::surface, "surface", "m", "bit law: depth of the rock at places from blade to blade; one number without rock"},

@@ -433,6 +433,11 @@ TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {
          "\"stribeck\""},
         {torque, torque + "\n" + law("\nstatic_torque = 5000"),
          "case.toml:35:10: bit.torque has no effect; expected it with bit.law = \"prescribed\""},
+        {torque, torque + "\nfeed = \"5 m/s\"",
+         "case.toml:36:8: bit.feed has no effect; expected it with bit.law = \"cutting\""},
+        {torque, "law = \"cutting\"",
+         "case.toml:34:10: bit.weight has no effect; expected it with another bit.law; by this one "
+         "it is what the rock asks for"},
         {"[run]", "[head.drive]\n[run]\nintegrator = \"dormand-prince\"",
          "case.toml:37:1: head.drive is for the leapfrog's rod; expected run.integrator = "
          "\"leapfrog\""},

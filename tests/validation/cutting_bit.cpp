@@ -26,8 +26,9 @@ struct Pipe {
     double impedance = area * std::sqrt(youngs_modulus * density);
 };
 
-std::string drilling(int segments, const std::string& bit, const std::string& cutting,
-                     double rotation, double duration, const std::string& rest = "") {
+std::string drilling(double metres, int segments, const std::string& bit,
+                     const std::string& cutting, double rotation, double duration,
+                     const std::string& rest = "") {
     return fmt::format(R"(
         gravity = 0
         [[string.component]]
@@ -40,7 +41,7 @@ std::string drilling(int segments, const std::string& bit, const std::string& cu
         [mesh]
         segments = {}
         [head]
-        rotation = {}
+        rotation = [[0, 0], [20, {}]]
         [bit]
         law = "cutting"
         {}
@@ -53,20 +54,20 @@ std::string drilling(int segments, const std::string& bit, const std::string& cu
         profile_interval = 0
         {}
         )",
-                       length, Pipe::density, Pipe::youngs_modulus, segments, rotation, bit,
+                       metres, Pipe::density, Pipe::youngs_modulus, segments, rotation, bit,
                        cutting, duration, rest);
 }
 
 TEST(CuttingBit, DrillsAsDetournayAndDefournyHaveIt) {
-    // Z of the head's rotation ends what the start stirs up
+    // short and damped enough not to vibrate
     const double speed = 1e-3;  // m/s
     const double rotation = 10;
     const test::Run run = test::run(drilling(
-        40, "feed = 1e-3",
+        50, 10, "feed = 1e-3",
         "blades = 4\nspecific_energy = \"30 MPa\"\ninclination = 0.7\nwear_flat = 1e-3\n"
         "contact_strength = \"20 MPa\"\nflat_friction = 0.5",
         rotation, 120,
-        "[damping]\nexternal_translation = 20\nexternal_rotation = 0.5\nkelvin_voigt = 1e-3"));
+        "[damping]\nexternal_translation = 2000\nexternal_rotation = 0.5\nkelvin_voigt = 1e-3"));
     const SeriesRecord& last = run.last();
     const double depth = speed * 2 * pi / rotation;
     const double cutting = bit_radius * 0.7 * 30e6 * depth;
@@ -75,7 +76,6 @@ TEST(CuttingBit, DrillsAsDetournayAndDefournyHaveIt) {
     EXPECT_NEAR(last.weight_on_bit, cutting + flats, 1e-3 * cutting);
     EXPECT_NEAR(last.bit_torque, 0.5 * bit_radius * (bit_radius * 30e6 * depth + 0.5 * flats),
                 1e-3 * cutting);
-    // in N/m2 of T over W: the rock's line and the wear flats' line
     EXPECT_NEAR(last.bit_rotation_rate, rotation, 1e-3 * rotation);
     const EnergyAccount& energy = last.energy;
     EXPECT_NEAR(energy.stored() + energy.dissipation - energy.work, 0,
@@ -84,15 +84,14 @@ TEST(CuttingBit, DrillsAsDetournayAndDefournyHaveIt) {
 
 TEST(CuttingBit, PressesOnNothingBeforeItIsOnBottom) {
     const test::Run run = test::run(
-        drilling(20, "feed = 0.1\noff_bottom = 0.5", "specific_energy = \"60 MPa\"", 5, 8));
+        drilling(100, 20, "feed = 1e-3\noff_bottom = 5e-3", "specific_energy = \"60 MPa\"", 5, 15));
     for (const SeriesRecord& record : run.series) {
-        EXPECT_NEAR(record.drilled, -0.5 + 0.1 * record.time, record.time < 5 ? 1e-9 : 0.5);
-        if (record.time < 4.99) {
-            EXPECT_EQ(record.weight_on_bit, 0);
-            EXPECT_EQ(record.bit_torque, 0);
-        }
+        if (record.time > 4.99) continue;
+        EXPECT_NEAR(record.drilled, 1e-3 * record.time - 5e-3, 1e-9);
+        EXPECT_EQ(record.weight_on_bit, 0);
+        EXPECT_EQ(record.bit_torque, 0);
     }
-    EXPECT_GT(run.last().weight_on_bit, 1000);
+    EXPECT_GT(run.last().weight_on_bit, 100);
 }
 
 /// Turns over time of the depth of cut about its mean, and how much larger its swings are late.
@@ -112,11 +111,13 @@ Swing swing(double number, double delay) {
     const double energy =
         number * pipe.impedance * pipe.shear_speed / length / (bit_radius * inclination * blades);
     const double damping = 0.3567 / unit * Pipe::density * pipe.area;
-    const test::Run run = test::run(drilling(
-        160, "feed = [[0, 0], [30, 1e-3]]",
-        fmt::format("blades = {}\ninclination = {}\nspecific_energy = {:.17g}", blades, inclination,
-                    energy),
-        rotation, 260 * unit, fmt::format("[damping]\nexternal_translation = {:.17g}", damping)));
+    const test::Run run = test::run(
+        drilling(length, 160, "feed = [[0, 0], [30, 1e-3]]",
+                 fmt::format("blades = {}\ninclination = {}\nspecific_energy = {:.17g}", blades,
+                             inclination, energy),
+                 rotation, 260 * unit,
+                 fmt::format("[damping]\nexternal_translation = {:.17g}\nexternal_rotation = 0.3",
+                             damping)));
     const auto window = [&](double begin) {
         std::vector<double> depth;
         for (const SeriesRecord& record : run.series)
@@ -166,8 +167,8 @@ TEST_P(Regeneration, GrowsAboveItsThresholdAlone) {
 INSTANTIATE_TEST_SUITE_P(AtDelays, Regeneration,
                          testing::Values(Threshold{0.25, 2.119, 17.83}, Threshold{0.5, 1.341, 7.98},
                                          Threshold{1, 1.729, 3.68}, Threshold{2, 0.357, 2.63}),
-                         [](const auto& info) {
-                             return "Of" + std::to_string(std::lround(100 * info.param.delay));
+                         [](const auto& of) {
+                             return "Of" + std::to_string(std::lround(100 * of.param.delay));
                          });
 
 }  // namespace
