@@ -37,6 +37,8 @@ inline constexpr GoldenRun golden_runs[] = {
     {"well2_paper",           {3,   "d53d97e483f12f4e"}, {0.002, "b73bdd10ac321b59"}},
     {"well2_drilling_paper",  {3,   "660558224b79ea74"}, {0.002, "b73bdd10ac321b59"}},
     {"well3_paper",           {3,   "7a8bf1c5b0838987"}, {0.002, "ce102024fffcf010"}},
+    {"startup_field",       {8,   "7ac1065a30829c82"}, {0, ""}},
+    {"whirl",               {1,   "ba349c935d6797d9"}, {0, ""}},
     {"stick_slip",          {3,   "1a29da15cf13db7f"}, {0, ""}},
     {"stick_slip_matched_drive", {3, "a9602a13e3181ff1"}, {0, ""}},
     {"connection",          {3,   "bfbf76915bdf7395"}, {0, ""}},
