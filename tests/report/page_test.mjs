@@ -242,13 +242,14 @@ test("sliders, lists and the play button change what is shown", async () => {
 
     await showSection(page, "profiles");
     const lines = (await plotted(page, "profiles")).traces.filter(({ title }) => title);
-    assert.equal(lines.length, 6);
+    assert.equal(lines.length, 7);
     const now = well.profiles[frame];
     assertClose(lines[0].x, now.axial.map((value) => value / 1e3), "axial force");
     assertClose(lines[0].y, well["mesh/segment_s"], "depths");
     assertClose(lines[1].x, now.torque.map((value) => value / 1e3), "torque");
     assertClose(lines[4].x, now.side.map((value) => value / 1e3), "side force");
-    assertClose(lines[5].x, now.spin.map((value) => value / rpm), "spin");
+    assertClose(lines[5].x, now.whirl.map((value) => value / rpm), "rate of whirl");
+    assertClose(lines[6].x, now.spin.map((value) => value / rpm), "spin");
 
     await showSection(page, "orbit");
     const before_orbit = (await plotted(page, "orbit")).traces[1].x;
@@ -317,7 +318,7 @@ test("a string without a well has a page without wall, contact and whirl", async
 
 test("a page can be made of a run that has hardly begun, or not at all", async () => {
   for (const [records, profiles, sections] of [
-    [1, 1, ["summary", "traces", "head", "view", "profiles", "orbit", "contact", "steps", "energy", "case"]],
+    [1, 1, ["summary", "traces", "head", "view", "profiles", "orbit", "sensors", "contact", "steps", "energy", "case"]],
     [0, 0, ["summary", "case"]]]) {
     const name = `short${records}`;
     python("shortened_result.py", at("well.h5"), at(`${name}.h5`), String(records), String(profiles));

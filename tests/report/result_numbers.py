@@ -29,6 +29,7 @@ with h5py.File(sys.argv[1]) as file:
                 "bending": np.hypot(profiles["stress"][k, :, 1], profiles["stress"][k, :, 2]).tolist(),
                 "side": profiles["side_force"][k].tolist(),
                 "eccentricity": profiles["eccentricity"][k].tolist(),
+                "whirl": profiles["whirl_rate"][k].tolist(),
                 "spin": (profiles["momentum"][k, :, 0] / file["string/polar_inertia"][...]).tolist(),
             }
             for k in wanted

@@ -12,4 +12,7 @@ with h5py.File(copy, "r+") as file:
     for group, count in [("series", int(records)), ("profiles", int(profiles))]:
         for dataset in file[group].values():
             dataset.resize(count, axis=0)
+    for sensor in file["sensors"].values():
+        for dataset in sensor.values():
+            dataset.resize(int(records), axis=0)
     file.attrs["status"] = "running"
