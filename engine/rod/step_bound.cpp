@@ -192,11 +192,11 @@ std::vector<MovingSegment> moving_segments(const Scene& scene) {
     for (std::size_t k = 0; k < loads.size(); ++k)
         segments.push_back({segment_rates(scene, k, loads[k]), MovedInertia(scene, k)});
     if (scene.bit.law == BitLaw::cutting) {
-        // the rock is a spring on the bit's half cell at most
-        MovingSegment& last = segments.back();
-        const double rock =
-            Cutting::stiffness(scene.bit.cutting, scene.mesh.node.back().outer_radius);
-        last.rates.axial = std::hypot(last.rates.axial, std::sqrt(2 * rock / last.moved.along));
+        // the rock is a spring on the bit's cell, which at an end is less than half a segment
+        const SectionProperties& bit = scene.mesh.node.back();
+        const double rock = Cutting::stiffness(scene.bit.cutting, bit.outer_radius);
+        double& rate = segments.back().rates.axial;
+        rate = std::hypot(rate, std::sqrt(rock / (bit.mass * scene.mesh.cell.back())));
     }
     return segments;
 }
@@ -284,9 +284,14 @@ std::vector<FineStretch> stretches_below(const std::vector<SegmentStep>& steps,
     return stretches;
 }
 
-/// Whether a head that is not free moves by the forces on it.
-bool head_yields(const HeadCase& head) {
-    return head.drive || head.hoist || head.motion == HeadMotion::pinned;
+/// Whether a stretch reaches an end with a motion or a spring of its own. Substeps know a head that
+/// is free or moves as scheduled, not one that yields, and the bit's load over a step, not the rock
+/// that a bit presses as it moves.
+bool reaches_an_end_of_its_own(const FineStretch& stretch, const Scene& scene) {
+    const HeadCase& head = scene.head;
+    const bool head_yields = head.drive || head.hoist || head.motion == HeadMotion::pinned;
+    return (stretch.first == 0 && head_yields) ||
+           (stretch.end == scene.mesh.length.size() && scene.bit.law == BitLaw::cutting);
 }
 
 /// Rounds in single precision err by kappa 6e-8 of the forces, kappa up to 0.86 p^2.
@@ -335,8 +340,7 @@ StepPlan step_plan(const Scene& scene) {
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
         const double step_without_damping = plan.undamped(plan.bound.step);
         const auto tells_walls = [&](const FineStretch& stretch) {
-            // substeps hold a head that moves as scheduled, not one that yields
-            if (stretch.first == 0 && head_yields(scene.head)) return false;
+            if (reaches_an_end_of_its_own(stretch, scene)) return false;
             for (std::size_t k = stretch.first; k <= stretch.end; ++k)
                 if (wall.is_beyond(k, step_without_damping)) return false;
             return true;

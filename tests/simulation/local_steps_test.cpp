@@ -99,19 +99,24 @@ TEST(LocalSteps, ErrAsMuchAsOneSmallStepForAll) {
     EXPECT_NEAR(local, single, 0.1 * single);
 }
 
+/// A free pipe that is bent, turned and pushed, slowly beside its own motions; how far it gets is
+/// its bit's x.
+Case pushed_pipe() {
+    return case_from("gravity = 0\n" + pipe(60) + graded_mesh + R"(
+        [head]
+        motion = "free"
+        moment = [[0, [0, 0, 0]], [2, [0, 300, 200]], [4, [0, 0, 0]]]
+        [bit]
+        moment = [[0, [0, 0, 0]], [2, [100, 0, 0]], [4, [0, 0, 0]]]
+        force = [[0, [0, 0, 0]], [2, [0, 0, -1000]], [4, [0, 0, 0]]]
+        [run]
+        duration = 6
+        )");
+}
+
 TEST(LocalSteps, AreOfSecondOrderInTime) {
-    // a free pipe that is bent, turned and pushed, slowly beside its own motions; how far it gets
     const auto deflection = [](double cfl) {
-        Case input = case_from("gravity = 0\n" + pipe(60) + graded_mesh + R"(
-            [head]
-            motion = "free"
-            moment = [[0, [0, 0, 0]], [2, [0, 300, 200]], [4, [0, 0, 0]]]
-            [bit]
-            moment = [[0, [0, 0, 0]], [2, [100, 0, 0]], [4, [0, 0, 0]]]
-            force = [[0, [0, 0, 0]], [2, [0, 0, -1000]], [4, [0, 0, 0]]]
-            [run]
-            duration = 6
-            )");
+        Case input = pushed_pipe();
         input.run.cfl = cfl;
         return run(input).last().bit_position.x();
     };
@@ -356,16 +361,7 @@ TEST(LocalSteps, DoNotFeedAViscousShaftThatSpins) {
 TEST(LocalSteps, TakeLittleFromAViscousPipeThatSpins) {
     // what gyroscopic couples lose in a stretch: the way of a free pipe at 240 rpm
     const auto deflection = [](double tau, double cfl, bool local_steps) {
-        Case input = case_from("gravity = 0\n" + pipe(60) + graded_mesh + R"(
-            [head]
-            motion = "free"
-            moment = [[0, [0, 0, 0]], [2, [0, 300, 200]], [4, [0, 0, 0]]]
-            [bit]
-            moment = [[0, [0, 0, 0]], [2, [100, 0, 0]], [4, [0, 0, 0]]]
-            force = [[0, [0, 0, 0]], [2, [0, 0, -1000]], [4, [0, 0, 0]]]
-            [run]
-            duration = 6
-            )");
+        Case input = pushed_pipe();
         input.damping.kelvin_voigt = tau;
         input.run.cfl = cfl;
         input.run.local_steps = local_steps;
@@ -417,6 +413,18 @@ TEST(LocalSteps, LetABitStickAndSlipAsOneSmallStepDoes) {
     EXPECT_GT(single.still, 1);
     EXPECT_NEAR(local.still, single.still, 0.05 * single.still);
     EXPECT_GT(local.least, -0.02);
+}
+
+TEST(LocalSteps, DoNotReachABitThatCuts) {
+    // the rock gives way as the bit moves, which substeps do not see
+    const auto steps = [](const std::string& law) {
+        return step_plan(build_scene(case_from(pipe(300) + graded_mesh + "[bit]\n" + law)));
+    };
+    const StepPlan cutting = steps("law = \"cutting\"\ncutting = {specific_energy = \"60 MPa\"}");
+    const StepPlan loaded = steps("weight = 1000");
+    ASSERT_FALSE(loaded.stretches.empty());
+    EXPECT_TRUE(cutting.stretches.empty());
+    EXPECT_LT(cutting.bound.step, loaded.bound.step);
 }
 
 TEST(LocalSteps, AreRecordedAsTheMeanOfTheHalfStepsBeforeAndAfter) {

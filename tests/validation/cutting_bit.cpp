@@ -26,7 +26,7 @@ struct Pipe {
     double impedance = area * std::sqrt(youngs_modulus * density);
 };
 
-std::string drilling(double metres, int segments, const std::string& bit,
+std::string drilling(double metres, const std::string& mesh, const std::string& bit,
                      const std::string& cutting, double rotation, double duration,
                      const std::string& rest = "") {
     return fmt::format(R"(
@@ -39,7 +39,7 @@ std::string drilling(double metres, int segments, const std::string& bit,
         youngs_modulus = {}
         poisson_ratio = 0.28
         [mesh]
-        segments = {}
+        {}
         [head]
         rotation = [[0, 0], [20, {}]]
         [bit]
@@ -54,16 +54,18 @@ std::string drilling(double metres, int segments, const std::string& bit,
         profile_interval = 0
         {}
         )",
-                       metres, Pipe::density, Pipe::youngs_modulus, segments, rotation, bit,
-                       cutting, duration, rest);
+                       metres, Pipe::density, Pipe::youngs_modulus, mesh, rotation, bit, cutting,
+                       duration, rest);
 }
 
-TEST(CuttingBit, DrillsAsDetournayAndDefournyHaveIt) {
+class CuttingBitOn : public testing::TestWithParam<const char*> {};
+
+TEST_P(CuttingBitOn, DrillsAsDetournayAndDefournyHaveIt) {
     // short and damped enough not to vibrate
     const double speed = 1e-3;  // m/s
     const double rotation = 10;
     const test::Run run = test::run(drilling(
-        50, 10, "feed = 1e-3",
+        50, GetParam(), "feed = 1e-3",
         "blades = 4\nspecific_energy = \"30 MPa\"\ninclination = 0.7\nwear_flat = 1e-3\n"
         "contact_strength = \"20 MPa\"\nflat_friction = 0.5",
         rotation, 120,
@@ -82,9 +84,15 @@ TEST(CuttingBit, DrillsAsDetournayAndDefournyHaveIt) {
                 2e-3 * std::abs(energy.work));
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, CuttingBitOn,
+    testing::Values("segments = 10",
+                    "element_length = 5\nrefine = [{from = 40, to = 50, element_length = 0.5}]"),
+    [](const auto& of) { return of.index == 0 ? "Even" : "FineAtTheBit"; });
+
 TEST(CuttingBit, PressesOnNothingBeforeItIsOnBottom) {
-    const test::Run run = test::run(
-        drilling(100, 20, "feed = 1e-3\noff_bottom = 5e-3", "specific_energy = \"60 MPa\"", 5, 15));
+    const test::Run run = test::run(drilling(100, "segments = 20", "feed = 1e-3\noff_bottom = 5e-3",
+                                             "specific_energy = \"60 MPa\"", 5, 15));
     for (const SeriesRecord& record : run.series) {
         if (record.time > 4.99) continue;
         EXPECT_NEAR(record.drilled, 1e-3 * record.time - 5e-3, 1e-9);
@@ -112,7 +120,7 @@ Swing swing(double number, double delay) {
         number * pipe.impedance * pipe.shear_speed / length / (bit_radius * inclination * blades);
     const double damping = 0.3567 / unit * Pipe::density * pipe.area;
     const test::Run run = test::run(
-        drilling(length, 160, "feed = [[0, 0], [30, 1e-3]]",
+        drilling(length, "segments = 160", "feed = [[0, 0], [30, 1e-3]]",
                  fmt::format("blades = {}\ninclination = {}\nspecific_energy = {:.17g}", blades,
                              inclination, energy),
                  rotation, 260 * unit,
