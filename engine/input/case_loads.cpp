@@ -85,9 +85,9 @@ void read_bit_friction(const Table& table, BitCase& bit) {
 
 /// The rock, and the blades that cut it.
 void read_cutting(const Table& table, BitCase& bit, const StringCase& string) {
-    const Table rock =
-        table.subtable("cutting", {"blades", "specific_energy", "inclination", "wear_flat",
-                                   "contact_strength", "flat_friction"});
+    const Table rock(table.require("cutting", "a table with the rock's specific_energy"),
+                     {"blades", "specific_energy", "inclination", "wear_flat", "contact_strength",
+                      "flat_friction"});
     CuttingCase& cutting = bit.cutting;
     constexpr int most_blades = 100;
     cutting.blades = rock.whole_number("blades", cutting.blades, 1, most_blades);

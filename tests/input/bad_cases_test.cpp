@@ -435,6 +435,9 @@ TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {
          "case.toml:35:10: bit.torque has no effect; expected it with bit.law = \"prescribed\""},
         {torque, torque + "\nfeed = \"5 m/s\"",
          "case.toml:36:8: bit.feed has no effect; expected it with bit.law = \"cutting\""},
+        {"weight = [[5, 0], [10, \"65 kN\"]]\ntorque = \"10 kN m\"", "law = \"cutting\"",
+         "case.toml:33:1: missing key \"bit.cutting\"; expected a table with the rock's "
+         "specific_energy"},
         {torque, "law = \"cutting\"",
          "case.toml:34:10: bit.weight has no effect; expected it with another bit.law; by this one "
          "it is what the rock asks for"},
