@@ -208,8 +208,8 @@ def main():
     measure.add_options(parser)
     parser.add_argument("--data", type=Path, required=True, help="folder of the source's curves")
     parser.add_argument("--fit", action="store_true", help="fit friction anew, a few minutes")
-    parser.add_argument("--population", type=int, default=8, help="of a generation of the fit, times 4")
-    parser.add_argument("--generations", type=int, default=8, help="of the fit")
+    parser.add_argument("--population", type=int, default=12, help="of a generation of the fit, times 4")
+    parser.add_argument("--generations", type=int, default=12, help="of the fit")
     options = parser.parse_args()
     facts = measure.provenance(options.build)
     options.friction = fit(options) if options.fit else {}

@@ -48,8 +48,8 @@ struct FrictionParameters {
     Tangential slide_inverse;  ///< 1 / dynamic coefficient; 0 in a direction without friction
     FrictionLaw law;
     double creep = 0;  ///< creep at which the friction of a rolling pipe saturates; 0: never
-    double inverse_speed2 =
-        0;  ///< 1 / v_S^2 of the fall from static to dynamic (s2/m2); 0: at once
+    /// 1 / v_S^2 of the fall from static to dynamic (s2/m2); 0: as soon as a point slides
+    double inverse_speed2 = 0;
 
     /// 1 where forces never leave Coulomb's cone, 0 for the paper's springs; no branch.
     [[nodiscard]] double cone() const { return static_cast<double>(law == FrictionLaw::coulomb); }

@@ -20,8 +20,8 @@ namespace drillstrand {
 struct SurroundingsParameters {
     double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
     double restitution = -1;  ///< that a case asks for; -1 where spring and dashpot tell
-    bool varied_wall =
-        false;  ///< friction, firmness or diameter vary along the well, or friction with speed
+    /// Friction, firmness or diameter vary along the well, or friction with speed.
+    bool varied_wall = false;
     FrictionParameters friction{};
     double density = 0;    ///< kg/m3
     double viscosity = 0;  ///< Pa s

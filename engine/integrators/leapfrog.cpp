@@ -182,8 +182,10 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
-    const Eigen::Vector3d well =
-        owns_bit ? well_at_bit(string_, state_.wall, rod) : Eigen::Vector3d::Zero();
+    // of no use to a bit that does not cut
+    const Eigen::Vector3d well = owns_bit && string_.bit.law() == BitLaw::cutting
+                                     ? well_at_bit(string_, state_.wall, rod)
+                                     : Eigen::Vector3d::Zero();
     if (owns_bit) string_.bit.resist(state_.bit, state_.rock, rod, next, well, step);
     for (const std::size_t stretch : worker.share->stretches)
         worker.accounts.outflow[worker.share->early.front()] += string_.substeps.share(

@@ -31,6 +31,16 @@ constexpr std::array parts = {
     &Sample::drag,          &Sample::drag_size,     &Sample::drag_depth, &Sample::hook_load,
     &Sample::weight_on_bit, &Sample::rotation_rate, &Sample::bit_rate,   &Sample::bit_load};
 
+template <class Follow>
+void follow_hoist(const HoistCase& hoist, const Follow& follow) {
+    follow(hoist.block_speed);
+    if (hoist.hook_load) follow(*hoist.hook_load);
+    if (!hoist.autodriller) return;
+    for (const auto& loop :
+         {hoist.autodriller->weight, hoist.autodriller->rate, hoist.autodriller->torque})
+        if (loop) follow(loop->limit);
+}
+
 /// Time of the last point of any schedule of loads or rotation (s).
 double last_change(const Scene& scene) {
     double last = 0;
@@ -41,7 +51,7 @@ double last_change(const Scene& scene) {
         follow(scene.head.rotation);
         follow(scene.head.tilting);
         follow(scene.head.velocity);
-        if (scene.head.hoist) follow(scene.head.hoist->block_speed);
+        if (scene.head.hoist) follow_hoist(*scene.head.hoist, follow);
     } else {
         follow(scene.head.force);
         follow(scene.head.moment);
