@@ -152,7 +152,7 @@ struct HeadState {
     double drive_torque = 0;
     double stretch = 0;
     double off_bottom_load = 0;
-    Eigen::Vector3d resets = Eigen::Vector3d::Zero();
+    Eigen::Vector4d resets = Eigen::Vector4d::Zero();
     double work = 0;
 };
 // clang-format off
@@ -166,7 +166,7 @@ inline constexpr auto field_list<HeadState> = std::to_array<Field<HeadState>>({
     {&HeadState::drive_torque, "drive_torque", "N m", "drive: of the motor, mean over the last step"},
     {&HeadState::stretch,    "stretch",    "m", "hoist: of its lines by what they carry; negative: slack"},
     {&HeadState::off_bottom_load, "off_bottom_load", "N", "autodriller: hook load with the bit off bottom"},
-    {&HeadState::resets,     "resets",     "m/s", "autodriller: drum speed to which each loop comes back: weight, rate, torque"},
+    {&HeadState::resets,     "resets",     "m/s", "autodriller: drum speed to which each loop comes back: weight, rate, torque, pressure"},
     {&HeadState::work,       "work",       "J", "done by the outside on the rod at its head"},
 });
 // clang-format on
@@ -176,6 +176,8 @@ struct BitState {
     Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
     double torque = 0;
     double sticks = 0;
+    double rotor_speed = 0;
+    double rotor_torque = 0;
     double work = 0;
 };
 // clang-format off
@@ -184,6 +186,8 @@ inline constexpr auto field_list<BitState> = std::to_array<Field<BitState>>({
     {&BitState::d1,   "d1",   "1", "leapfrog: a direction that goes along with its section"},
     {&BitState::torque, "torque", "N m", "bit law: of the rock against a positive rotation, in the last step"},
     {&BitState::sticks, "sticks", "1", "bit law: 1 where the bit stands still on the rock, else 0"},
+    {&BitState::rotor_speed, "rotor_speed", "rad/s", "mud motor: of rotor and bit"},
+    {&BitState::rotor_torque, "rotor_torque", "N m", "mud motor: on the rotor, in the last step"},
     {&BitState::work, "work", "J", "done by the outside on the rod at its bit"},
 });
 // clang-format on
@@ -196,6 +200,8 @@ struct RockState {
     double beyond = 0;
     double last_surface = 0;
     double flat_weight = 0;
+    double bottom = 0;
+    double turn = 0;
     std::vector<double> surface = {0.0};
 };
 // clang-format off
@@ -207,7 +213,30 @@ inline constexpr auto field_list<RockState> = std::to_array<Field<RockState>>({
     {&RockState::beyond, "beyond", "1", "bit law: what the blades are beyond it, in places"},
     {&RockState::last_surface, "last_surface", "m", "bit law: depth of the rock there before it was cut"},
     {&RockState::flat_weight, "flat_weight", "N", "bit law: on the wear flats in the last step"},
+    {&RockState::bottom, "bottom", "m", "roller cones: depth of the bottom, its lobes in the mean"},
+    {&RockState::turn, "turn", "rad", "roller cones: of the bit past a crest, from lobe to lobe"},
     {&RockState::surface, "surface", "m", "bit law: depth of the rock at places from blade to blade; one number without rock"},
+});
+// clang-format on
+
+// ------------------------------------------------------------------ jar
+
+/// A jar in the string (rod/jar.hpp).
+struct JarState {
+    double released = 0;
+    double overpulled = 0;
+    double slide = 0;
+    double blows = 0;
+    double work = 0;
+};
+// clang-format off
+template <>
+inline constexpr auto field_list<JarState> = std::to_array<Field<JarState>>({
+    {&JarState::released, "released", "1", "jar: 1 where its halves slide, 0 where they are latched"},
+    {&JarState::overpulled, "overpulled", "s", "jar: for how long the force has been above its limit; negative: below"},
+    {&JarState::slide, "slide", "m", "jar: of its halves apart, from where they latch"},
+    {&JarState::blows, "blows", "1", "jar: of the hammer since the start"},
+    {&JarState::work, "work", "J", "jar: taken from the rod by tripping and latching"},
 });
 // clang-format on
 

@@ -101,6 +101,16 @@ struct Eccentricity {
     double moment = 0;    ///< mass times distance from the axis (kg m)
 };
 
+/// A jar: above a force its two halves slide apart, or together, until the hammer strikes.
+struct JarCase {
+    double position = 0;     ///< from the component's upper end (m)
+    double up_force = 0;     ///< tension above which it trips (N); 0: never
+    double up_travel = 0;    ///< m, from where it is latched to the blow upward
+    double down_force = 0;   ///< compression above which it trips (N); 0: never
+    double down_travel = 0;  ///< m, to the blow downward
+    double delay = 0;        ///< for which the force must last, as the oil is metered through (s)
+};
+
 /// A stretch of pipe of one kind.
 struct Component {
     std::string name;
@@ -124,6 +134,7 @@ struct Component {
     std::optional<ContactPoint> contact;
     std::optional<BentPlace> bend;
     std::optional<Eccentricity> eccentric;
+    std::optional<JarCase> jar;
     std::optional<double> element_length;  ///< largest length of segments in it (m)
 };
 
@@ -189,9 +200,10 @@ struct DrillerLoop {
 
 /// Feeds the drum as fast as the most limiting of its loops allows.
 struct AutodrillerCase {
-    std::optional<DrillerLoop> weight;  ///< N on the bit, as the hook load tells
-    std::optional<DrillerLoop> rate;    ///< m/s of the block
-    std::optional<DrillerLoop> torque;  ///< N m at the surface
+    std::optional<DrillerLoop> weight;    ///< N on the bit, as the hook load tells
+    std::optional<DrillerLoop> rate;      ///< m/s of the block
+    std::optional<DrillerLoop> torque;    ///< N m at the surface
+    std::optional<DrillerLoop> pressure;  ///< Pa, difference over the motor
     /// Hook load with the bit off bottom (N); unset: that at the start of the run.
     std::optional<double> off_bottom_load;
 };
@@ -229,9 +241,10 @@ struct HeadCase {
 enum class BitDirection { well, follower };
 
 enum class BitLaw {
-    prescribed,  ///< torque as scheduled, against the head's rotation
-    stribeck,    ///< friction that falls with the bit's own speed; sticks
-    cutting,     ///< of blades that cut what the one before has left, and of their wear flats
+    prescribed,   ///< torque as scheduled, against the head's rotation
+    stribeck,     ///< friction that falls with the bit's own speed; sticks
+    cutting,      ///< of blades that cut what the one before has left, and of their wear flats
+    roller_cone,  ///< of cones that roll over the lobes of a bottom that is elastic
 };
 
 /// Rock and cutters of a bit, law cutting: Detournay and Defourny (1992).
@@ -244,6 +257,23 @@ struct CuttingCase {
     double flat_friction = 0;     ///< their coefficient of friction times the bit's number gamma
 };
 
+/// Cones on the bottom that they leave, law roller_cone.
+struct RollerConeCase {
+    int lobes = 3;
+    double lobe_height = 0;      ///< from valley to crest (m)
+    double stiffness = 0;        ///< of rock and teeth along the well (N/m)
+    double specific_energy = 0;  ///< work of the torque per volume drilled (Pa)
+};
+
+/// A mud motor between the string's end and the bit: torque = most (1 - w/w_0)^(1/alpha), w the
+/// speed of the rotor in the stator.
+struct MotorCase {
+    double stall_torque = 0;   ///< at w = 0 (N m)
+    double no_load_speed = 0;  ///< w_0 (rad/s)
+    double exponent = 4.538;   ///< alpha
+    double displacement = 0;   ///< mud for a turn of the rotor (m3)
+};
+
 struct BitCase {
     ScalarSchedule weight;           ///< N, compressive
     ScalarSchedule torque;           ///< N m, opposes rotation
@@ -251,13 +281,16 @@ struct BitCase {
     double smoothing_speed = 0;      ///< rad/s below which the torque falls linearly to zero
     BitDirection direction = BitDirection::follower;
     BitLaw law = BitLaw::prescribed;
-    double static_torque = 0;    ///< N m, largest while the bit sticks, law stribeck
-    double dynamic_torque = 0;   ///< N m, at high speed
-    double decay_speed = 0;      ///< rad/s over which the one falls to the other; 0: at once
-    double inertia = 0;          ///< of the bit itself about its axis (kg m2)
+    double static_torque = 0;   ///< N m, largest while the bit sticks, law stribeck
+    double dynamic_torque = 0;  ///< N m, at high speed
+    double decay_speed = 0;     ///< rad/s over which the one falls to the other; 0: at once
+    double inertia = 0;         ///< of the bit itself, with a motor's rotor, about its axis (kg m2)
+    double mass = 0;            ///< of the bit itself, in addition to its node's (kg)
+    std::optional<MotorCase> motor;
     CuttingCase cutting;         ///< law cutting
-    ScalarSchedule feed;         ///< m/s at which the rock comes up, law cutting
-    double off_bottom = 0;       ///< m, of the blades above the rock at the start, law cutting
+    RollerConeCase roller_cone;  ///< law roller_cone
+    ScalarSchedule feed;         ///< m/s at which the rock comes up, where the bit drills
+    double off_bottom = 0;       ///< m, of the bit above the rock at the start, where it drills
     double contact_length = 0;   ///< of wall that the bit touches besides its node's own cell (m)
     VectorSchedule force;        ///< dead load, space frame (N)
     VectorSchedule dead_moment;  ///< dead couple, space frame (N m)
@@ -266,11 +299,18 @@ struct BitCase {
 
 enum class FrictionLaw { coulomb, paper };
 
+enum class NormalLaw {
+    linear,  ///< k dr and a dashpot
+    hertz,   ///< k dr^1.5 (1 + chi d(dr)/dt): Hertz's spring, Hunt and Crossley's damping
+};
+
 struct ContactCase {
-    double normal_stiffness = 1e7;      ///< Pa, per length
+    NormalLaw normal_law = NormalLaw::linear;
+    double normal_stiffness = 1e7;      ///< Pa, per length; law hertz: Pa/m^0.5
     double point_stiffness = 6e8;       ///< Pa, under contact points that state none
     double normal_damping = 1e5;        ///< Pa s; unused where restitution is set
     std::optional<double> restitution;  ///< 0..1: sets the damping from each node's own mass
+    double hunt_crossley = 1;           ///< chi (s/m), law hertz
     double tangential_stiffness = 1e6;  ///< Pa
     double rolling_creep = 0.005;       ///< at which friction of a rolling pipe saturates; 0: never
     FrictionCoefficients static_friction{0.6, 0.6};

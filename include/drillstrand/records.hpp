@@ -53,7 +53,11 @@ struct SeriesRecord {
     double weight_on_bit = 0;      ///< N, compressive force of the rock on the bit
     double bit_torque = 0;         ///< N m, of the rock against the rotation of the bit
     double depth_of_cut = 0;       ///< m that the bit cuts in a turn; 0 by a law that does not tell
-    double drilled = 0;            ///< m, of the bit below the bottom at the start; law cutting
+    double drilled = 0;            ///< m, of the bit below the bottom at the start; where it drills
+    double motor_pressure = 0;     ///< Pa, difference over the mud motor; 0 without one
+    double jar_force = 0;          ///< N, tension in the jar's segment; 0 without one
+    double jar_travel = 0;         ///< m, of its halves apart
+    std::int64_t jar_blows = 0;    ///< of its hammer since the start of the run
     EnergyAccount energy;
     double step_size = 0;             ///< s, of the last step
     double time_error = 0;            ///< relative, of the last sample; 0 with dormand_prince
