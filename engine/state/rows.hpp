@@ -178,6 +178,8 @@ struct BitState {
     double sticks = 0;
     double rotor_speed = 0;
     double rotor_torque = 0;
+    double even_pressure = 0;
+    double odd_pressure = 0;
     double work = 0;
 };
 // clang-format off
@@ -188,6 +190,8 @@ inline constexpr auto field_list<BitState> = std::to_array<Field<BitState>>({
     {&BitState::sticks, "sticks", "1", "bit law: 1 where the bit stands still on the rock, else 0"},
     {&BitState::rotor_speed, "rotor_speed", "rad/s", "mud motor: of rotor and bit"},
     {&BitState::rotor_torque, "rotor_torque", "N m", "mud motor: on the rotor, in the last step"},
+    {&BitState::even_pressure, "even_pressure", "Pa", "mud motor: difference over it in the last even step, for the head to read"},
+    {&BitState::odd_pressure, "odd_pressure", "Pa", "mud motor: likewise in the last odd one"},
     {&BitState::work, "work", "J", "done by the outside on the rod at its bit"},
 });
 // clang-format on

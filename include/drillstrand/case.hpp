@@ -295,6 +295,11 @@ struct BitCase {
     VectorSchedule force;        ///< dead load, space frame (N)
     VectorSchedule dead_moment;  ///< dead couple, space frame (N m)
     VectorSchedule moment;       ///< follower couple about d3, d1, d2 (N m)
+
+    /// Whether the rock gives way as the bit presses and turns: its weight then follows.
+    [[nodiscard]] bool drills() const {
+        return law == BitLaw::cutting || law == BitLaw::roller_cone;
+    }
 };
 
 enum class FrictionLaw { coulomb, paper };
