@@ -406,6 +406,92 @@ DriveCase draw_drive(Draw& draw) {
     return drive;
 }
 
+/// Cones in place of blades.
+void roll_cones(Draw& draw, BitCase& bit) {
+    bit.law = BitLaw::roller_cone;
+    bit.friction = draw.uniform(0, 0.6);
+    bit.roller_cone.lobe_height = draw.chance(0.8) ? draw.log_uniform(1e-4, 2e-2) : 0;
+    bit.roller_cone.stiffness = draw.log_uniform(1e6, 2e8);
+    bit.roller_cone.specific_energy = draw.log_uniform(2e7, 1e9);
+}
+
+MotorCase draw_motor(Draw& draw) {
+    MotorCase motor;
+    motor.stall_torque = draw.log_uniform(1e3, 3e4);
+    motor.no_load_speed = draw.uniform(5, 30);
+    motor.exponent = draw.uniform(1, 8);
+    motor.displacement = draw.log_uniform(3e-3, 5e-2);
+    return motor;
+}
+
+/// Loops that feed a drum; one over the pressure only where a motor is.
+AutodrillerCase draw_autodriller(Draw& draw, bool has_motor) {
+    const auto loop = [&](double limit, double fastest) {
+        return DrillerLoop{limit, fastest / limit, draw.log_uniform(1, 30)};
+    };
+    AutodrillerCase autodriller;
+    autodriller.weight = loop(draw.log_uniform(5e3, 2e5), draw.log_uniform(0.01, 0.2));
+    if (draw.chance(0.5)) autodriller.rate = loop(draw.log_uniform(1e-3, 0.05), 0.05);
+    if (draw.chance(0.3)) autodriller.torque = loop(draw.log_uniform(3e3, 5e4), 0.05);
+    if (has_motor && draw.chance(0.5))
+        autodriller.pressure = loop(draw.log_uniform(5e5, 5e6), 0.05);
+    return autodriller;
+}
+
+/// A hoist that stands, pays out what its brake does not hold, or is fed by an autodriller.
+HoistCase draw_hoist(Draw& draw, Case& input) {
+    HoistCase hoist;
+    hoist.mass = draw.log_uniform(3e3, 5e4);
+    hoist.lines = draw.whole(4, 14);
+    hoist.line_stiffness = draw.log_uniform(2e5, 1e7);
+    if (input.bit.drills() && draw.chance(0.8)) {
+        hoist.autodriller = draw_autodriller(draw, input.bit.motor.has_value());
+        input.bit.feed = {};
+    } else if (draw.chance(0.3)) {
+        hoist.hook_load = ScalarSchedule(0.9 * std::abs(hanging_weight(input)));
+    }
+    return hoist;
+}
+
+JarCase draw_jar(Draw& draw, double length) {
+    JarCase jar;
+    jar.position = draw.uniform(0.1, 0.9) * length;
+    jar.up_force = draw.log_uniform(2e4, 8e5);
+    jar.up_travel = draw.uniform(0.1, 0.3);
+    jar.down_force = draw.log_uniform(2e4, 4e5);
+    jar.down_travel = draw.uniform(0.1, 0.3);
+    jar.delay = draw.chance(0.5) ? draw.uniform(0, 5) : 0;
+    return jar;
+}
+
+/// What a rig adds: cones, a motor, a jar, a hoist or a head that tilts, a wall as Hertz has it.
+void draw_machines(Draw& draw, Case& input) {
+    BitCase& bit = input.bit;
+    if (bit.law == BitLaw::cutting && draw.chance(0.4)) roll_cones(draw, bit);
+    if (draw.chance(0.3)) bit.mass = draw.uniform(20, 500);
+    if (draw.chance(0.3)) {
+        bit.motor = draw_motor(draw);
+        bit.inertia = draw.log_uniform(1, 100);
+    }
+    if (input.head.motion == HeadMotion::driven && draw.chance(0.4))
+        input.head.hoist = draw_hoist(draw, input);
+    else if (input.head.motion == HeadMotion::driven && draw.chance(0.2))
+        input.head.motion = HeadMotion::pinned;
+    if (draw.chance(0.2)) {
+        auto& string = input.string.components;
+        Component& jarred =
+            string[static_cast<std::size_t>(draw.whole(0, static_cast<int>(string.size()) - 1))];
+        jarred.jar = draw_jar(draw, jarred.length);
+    }
+    if (draw.chance(0.2)) {
+        ContactCase& contact = input.contact;
+        contact.normal_law = NormalLaw::hertz;
+        contact.normal_stiffness = draw.log_uniform(1e8, 1e11);
+        contact.hunt_crossley = draw.chance(0.3) ? 0 : draw.uniform(0, 3);
+        contact.restitution.reset();
+    }
+}
+
 void draw_moving_mud(Draw& draw, FluidCase& fluid) {
     fluid.viscosity = draw.log_uniform(0.01, 2);
     fluid.flow_index = draw.uniform(0.3, 1);
@@ -457,6 +543,8 @@ Case driven_scene(unsigned seed, int index, double duration) {
         input.head.drive = draw_drive(draw);
     if (draw.chance(0.5)) input.contact.stribeck_speed = draw.log_uniform(0.01, 1);
     if (input.fluid && draw.chance(0.5)) draw_moving_mud(draw, *input.fluid);
+    Draw machines(seed + 3, index);
+    draw_machines(machines, input);
     return input;
 }
 

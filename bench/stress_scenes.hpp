@@ -15,8 +15,9 @@ Case stress_scene(unsigned seed, int index, double duration);
 /// open hole of their own friction.
 Case assembly_scene(unsigned seed, int index, double duration);
 
-/// The first scene with what excites itself: a bit that sticks or cuts, a top drive, friction that
-/// falls with speed, mud that yields, thins and is pumped.
+/// The first scene with what excites itself: a bit that sticks, cuts or rolls on cones, a motor, a
+/// top drive, a hoist with its autodriller, a jar, friction that falls with speed, mud that yields,
+/// thins and is pumped.
 Case driven_scene(unsigned seed, int index, double duration);
 
 }  // namespace drillstrand::bench

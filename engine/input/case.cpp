@@ -39,7 +39,18 @@ void check_ends(const Case& input, const toml::table& root) {
     if (input.head.drive) refuse("head.drive");
     if (input.head.hoist) refuse("head.hoist");
     if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
+    if (input.bit.motor) refuse("bit.motor");
     if (input.contact.stribeck_speed > 0) refuse("contact.stribeck_speed");
+}
+
+/// Throws InputError where an autodriller reads a pressure that no motor has.
+void check_autodriller(const Case& input, const toml::table& root) {
+    const bool reads = input.head.hoist && input.head.hoist->autodriller &&
+                       input.head.hoist->autodriller->pressure;
+    if (!reads || input.bit.motor) return;
+    constexpr const char* path = "head.hoist.autodriller.pressure";
+    Value(*root.at_path(path).node(), path)
+        .fail("is the difference over a mud motor; expected one, [bit.motor]");
 }
 
 /// Throws InputError where the head lets the bit down beyond the surveyed well, or a component to
@@ -116,7 +127,8 @@ Case read_case(const std::filesystem::path& path,
     result.output = read_output(root, result.run.duration, result.string);
     result.mesh = read_mesh(root, string.string);
     result.head = read_head(root);
-    result.bit = read_bit(root, result.string);
+    result.bit = read_bit(root, result.string, result.fluid);
+    check_autodriller(result, document.root);
     result.contact = read_contact(root);
     result.damping = read_damping(root);
     result.initial = read_initial(root, result.well && can_rest(result));

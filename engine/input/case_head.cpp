@@ -130,6 +130,7 @@ std::optional<DrillerLoop> read_loop(const Table& table, const std::string& name
 AutodrillerCase read_autodriller(const Table& table) {
     constexpr Dimension per_force{-1, 0, 1};
     constexpr Dimension per_moment{-1, -1, 1};
+    constexpr Dimension per_pressure{-1, 2, 1};
     AutodrillerCase autodriller;
     autodriller.weight =
         read_loop(table, "weight", dimension::force, per_force, plausible::load_or_none);
@@ -137,6 +138,8 @@ AutodrillerCase read_autodriller(const Table& table) {
         read_loop(table, "rate", dimension::speed, dimension::none, plausible::speed_or_none);
     autodriller.torque =
         read_loop(table, "torque", dimension::moment, per_moment, plausible::load_or_none);
+    autodriller.pressure =
+        read_loop(table, "pressure", dimension::pressure, per_pressure, plausible::load_or_none);
     if (const std::optional<Value> load = table.find("off_bottom_load"))
         autodriller.off_bottom_load = load->quantity(dimension::force, plausible::load_or_none);
     return autodriller;
@@ -158,12 +161,12 @@ HoistCase read_hoist(const Table& table) {
         hoist.hook_load = brake->scalar_schedule(dimension::force, plausible::load_or_none);
     if (const std::optional<Value> driller = table.find("autodriller")) {
         hoist.autodriller = read_autodriller(table.subtable(
-            "autodriller",
-            {"weight", "weight_gain", "weight_reset", "rate", "rate_gain", "rate_reset", "torque",
-             "torque_gain", "torque_reset", "off_bottom_load"}));
+            "autodriller", {"weight", "weight_gain", "weight_reset", "rate", "rate_gain",
+                            "rate_reset", "torque", "torque_gain", "torque_reset", "pressure",
+                            "pressure_gain", "pressure_reset", "off_bottom_load"}));
         const AutodrillerCase& limits = *hoist.autodriller;
-        if (!limits.weight && !limits.rate && !limits.torque)
-            driller->fail("has no limit; expected weight, rate or torque");
+        if (!limits.weight && !limits.rate && !limits.torque && !limits.pressure)
+            driller->fail("has no limit; expected weight, rate, torque or pressure");
     }
     return hoist;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <numbers>
 #include <utility>
 
 #include "input/case_sections.hpp"
@@ -14,6 +15,7 @@ namespace {
 // Dimension of a damping coefficient of velocity, N s/m, and of rotation, N m s.
 constexpr Dimension damping_coefficient{1, 0, -1};
 constexpr Dimension rotation_damping{1, 2, -1};
+constexpr Dimension volume{0, 3, 0};
 
 }  // namespace
 
@@ -61,11 +63,20 @@ void refuse_keys_of_other_laws(const Table& table, BitLaw law) {
         for (const std::string_view key : keys)
             if (law != its) refuse_key(table, key, fmt::format("bit.law = \"{}\"", name));
     };
-    refuse(BitLaw::prescribed, "prescribed", {"torque", "friction", "smoothing_speed"});
+    refuse(BitLaw::prescribed, "prescribed", {"torque", "smoothing_speed"});
     refuse(BitLaw::stribeck, "stribeck", {"static_torque", "dynamic_torque", "decay_speed"});
-    refuse(BitLaw::cutting, "cutting", {"cutting", "feed", "off_bottom"});
-    if (law == BitLaw::cutting)
+    refuse(BitLaw::cutting, "cutting",
+           {"blades", "intrinsic_specific_energy", "inclination_number", "wear_length",
+            "contact_strength", "geometry"});
+    refuse(BitLaw::roller_cone, "roller_cone",
+           {"lobes", "lobe_height", "rock_stiffness", "specific_energy"});
+    if (law == BitLaw::cutting || law == BitLaw::roller_cone) {
         refuse_key(table, "weight", "another bit.law; by this one it is what the rock asks for");
+    } else {
+        for (const std::string_view key : {"feed", "off_bottom"})
+            refuse_key(table, key, "bit.law = \"cutting\" or \"roller_cone\"");
+    }
+    if (law == BitLaw::stribeck) refuse_key(table, "friction", "another bit.law");
 }
 
 /// Friction in place of a torque that is prescribed.
@@ -84,61 +95,143 @@ void read_bit_friction(const Table& table, BitCase& bit) {
 }
 
 /// The rock, and the blades that cut it.
-void read_cutting(const Table& table, BitCase& bit, const StringCase& string) {
-    const Table rock(table.require("cutting", "a table with the rock's specific_energy"),
-                     {"blades", "specific_energy", "inclination", "wear_flat", "contact_strength",
-                      "flat_friction"});
+void read_cutting(const Table& table, BitCase& bit) {
     CuttingCase& cutting = bit.cutting;
     constexpr int most_blades = 100;
-    cutting.blades = rock.whole_number("blades", cutting.blades, 1, most_blades);
-    cutting.specific_energy = rock.require("specific_energy", "a pressure such as \"60 MPa\"")
-                                  .quantity(dimension::pressure, plausible::rock_strength);
+    cutting.blades = table.whole_number("blades", cutting.blades, 1, most_blades);
+    cutting.specific_energy =
+        table.require("intrinsic_specific_energy", "that of the rock, such as \"60 MPa\"")
+            .quantity(dimension::pressure, plausible::rock_strength);
     cutting.inclination =
-        rock.number("inclination", cutting.inclination, plausible::cutter_inclination);
-    cutting.wear_flat =
-        rock.quantity("wear_flat", dimension::length, cutting.wear_flat, plausible::length_or_none);
+        table.number("inclination_number", cutting.inclination, plausible::cutter_inclination);
+    cutting.wear_flat = table.quantity("wear_length", dimension::length, cutting.wear_flat,
+                                       plausible::length_or_none);
     cutting.contact_strength = cutting.specific_energy;
-    if (const std::optional<Value> strength = rock.find("contact_strength"))
+    if (const std::optional<Value> strength = table.find("contact_strength"))
         cutting.contact_strength =
             strength->quantity(dimension::pressure, plausible::rock_strength);
-    cutting.flat_friction =
-        rock.number("flat_friction", cutting.flat_friction, plausible::friction);
+    cutting.flat_friction = table.number("friction", 0, plausible::friction) *
+                            table.number("geometry", 1, plausible::bit_geometry);
+}
+
+/// The rock, and the lobes that the cones leave in it.
+void read_roller_cone(const Table& table, BitCase& bit) {
+    RollerConeCase& cone = bit.roller_cone;
+    constexpr int most_lobes = 100;
+    cone.lobes = table.whole_number("lobes", cone.lobes, 1, most_lobes);
+    cone.lobe_height = table.quantity("lobe_height", dimension::length, cone.lobe_height,
+                                      plausible::length_or_none);
+    cone.stiffness = table.require("rock_stiffness", "that of rock and teeth, such as \"30e6 N/m\"")
+                         .quantity(dimension::stiffness, plausible::line_stiffness);
+    cone.specific_energy = table.require("specific_energy", "that of the rock, such as \"200 MPa\"")
+                               .quantity(dimension::pressure, plausible::rock_strength);
+    bit.friction = table.require("friction", "that of the bit on the bottom, such as 0.3")
+                       .number(plausible::friction);
+}
+
+/// How the rock comes up to a bit that drills it.
+void read_drilling(const Table& table, BitCase& bit) {
     bit.feed = table.scalar_schedule("feed", dimension::speed, plausible::speed);
     bit.off_bottom =
         table.quantity("off_bottom", dimension::length, bit.off_bottom, plausible::length_or_none);
-    if (string.components.back().outer_diameter == 0)
-        table.require("law", "").fail(
-            "needs the bit's radius; expected an outer_diameter in the last component");
+}
+
+/// The law of the rock, with the keys that it takes.
+void read_bit_law(const Table& table, BitCase& bit, const StringCase& string) {
+    bit.law = table.choice<BitLaw>("law", bit.law,
+                                   {{"prescribed", BitLaw::prescribed},
+                                    {"stribeck", BitLaw::stribeck},
+                                    {"cutting", BitLaw::cutting},
+                                    {"roller_cone", BitLaw::roller_cone}});
+    refuse_keys_of_other_laws(table, bit.law);
+    if (const std::optional<Value> radius = table.find("radius"))
+        bit.radius = radius->quantity(dimension::length, plausible::diameter);
+    if (bit.law == BitLaw::prescribed) {
+        if (const std::optional<Value> friction = table.find("friction"))
+            bit.friction = friction->number(plausible::friction);
+    }
+    if (bit.law == BitLaw::stribeck) read_bit_friction(table, bit);
+    if (bit.law == BitLaw::cutting) read_cutting(table, bit);
+    if (bit.law == BitLaw::roller_cone) read_roller_cone(table, bit);
+    if (bit.drills()) read_drilling(table, bit);
+    if ((bit.drills() || bit.friction) && bit.radius == 0 &&
+        string.components.back().outer_diameter == 0)
+        table.require(bit.drills() ? "law" : "friction", "")
+            .fail(
+                "needs the bit's radius; expected bit.radius, or an outer_diameter in the last "
+                "component");
+}
+
+/// A mud motor that turns the bit. What it displaces follows from what is pumped through it, if
+/// the case does not say it.
+MotorCase read_motor(const Table& table, double flow_rate) {
+    const Table motor =
+        table.subtable("motor", {"stall_torque", "no_load_speed", "exponent", "displacement"});
+    MotorCase result;
+    result.stall_torque = motor.require("stall_torque", "a torque such as \"12 kN m\"")
+                              .quantity(dimension::moment, plausible::motor_torque);
+    result.no_load_speed = motor.require("no_load_speed", "a rate such as \"108 rpm\"")
+                               .quantity(dimension::frequency, plausible::motor_speed);
+    result.exponent = motor.number("exponent", result.exponent, plausible::motor_exponent);
+    if (flow_rate > 0 && !motor.find("displacement"))
+        result.displacement = 2 * std::numbers::pi * flow_rate / result.no_load_speed;
+    else
+        result.displacement =
+            motor
+                .require("displacement",
+                         "what a turn of the rotor displaces, such as \"20 L\", or fluid.flow_rate")
+                .quantity(volume, plausible::motor_displacement);
+    return result;
 }
 
 }  // namespace
 
-BitCase read_bit(const Table& root, const StringCase& string) {
-    const Table table = root.subtable(
-        "bit", {"law", "weight", "torque", "friction", "smoothing_speed", "direction",
-                "static_torque", "dynamic_torque", "decay_speed", "inertia", "cutting", "feed",
-                "off_bottom", "contact_length", "force", "dead_moment", "moment"});
+BitCase read_bit(const Table& root, const StringCase& string,
+                 const std::optional<FluidCase>& fluid) {
+    const Table table = root.subtable("bit", {"law",
+                                              "weight",
+                                              "torque",
+                                              "friction",
+                                              "smoothing_speed",
+                                              "direction",
+                                              "static_torque",
+                                              "dynamic_torque",
+                                              "decay_speed",
+                                              "inertia",
+                                              "mass",
+                                              "motor",
+                                              "radius",
+                                              "blades",
+                                              "intrinsic_specific_energy",
+                                              "inclination_number",
+                                              "wear_length",
+                                              "contact_strength",
+                                              "geometry",
+                                              "lobes",
+                                              "lobe_height",
+                                              "rock_stiffness",
+                                              "specific_energy",
+                                              "feed",
+                                              "off_bottom",
+                                              "contact_length",
+                                              "force",
+                                              "dead_moment",
+                                              "moment"});
     table.refuse_both("torque", "friction");
 
     const bool in_well = root.find("well").has_value();
     BitCase bit;
     bit.torque = table.scalar_schedule("torque", dimension::moment, plausible::load_or_none);
-    if (const std::optional<Value> friction = table.find("friction")) {
-        bit.friction = friction->number(plausible::friction);
-        if (string.components.back().outer_diameter == 0) {
-            friction->fail(
-                "needs the bit's radius; expected an outer_diameter in the last component");
-        }
-    }
-    bit.law = table.choice<BitLaw>("law", bit.law,
-                                   {{"prescribed", BitLaw::prescribed},
-                                    {"stribeck", BitLaw::stribeck},
-                                    {"cutting", BitLaw::cutting}});
-    refuse_keys_of_other_laws(table, bit.law);
-    if (bit.law == BitLaw::stribeck) read_bit_friction(table, bit);
-    if (bit.law == BitLaw::cutting) read_cutting(table, bit, string);
+    read_bit_law(table, bit, string);
     bit.inertia = table.quantity("inertia", dimension::moment_of_inertia, bit.inertia,
                                  plausible::bit_inertia);
+    bit.mass = table.quantity("mass", dimension::mass, bit.mass, plausible::bit_mass);
+    if (const std::optional<Value> motor = table.find("motor")) {
+        bit.motor = read_motor(table, fluid ? fluid->flow_rate : 0);
+        if (bit.inertia == 0)
+            motor->fail("turns a bit without inertia; expected bit.inertia, of bit and rotor");
+        refuse_key(table, "smoothing_speed", "a bit without a motor");
+    }
     // the rock pushes, it does not pull
     bit.weight = table.scalar_schedule("weight", dimension::force, plausible::load_or_none);
     bit.smoothing_speed =

@@ -26,7 +26,9 @@ std::optional<FluidCase> read_fluid(const Table& root);
 StringInput read_string(const Table& root, const std::filesystem::path& folder);
 MeshCase read_mesh(const Table& root, const StringCase& string);
 HeadCase read_head(const Table& root);
-BitCase read_bit(const Table& root, const StringCase& string);
+/// Needs what is pumped, which drives a motor.
+BitCase read_bit(const Table& root, const StringCase& string,
+                 const std::optional<FluidCase>& fluid);
 ContactCase read_contact(const Table& root);
 DampingCase read_damping(const Table& root);
 /// `can_rest`: whether an equilibrium can be found, so that a run starts from it unless told

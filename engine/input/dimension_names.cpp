@@ -44,6 +44,7 @@ constexpr std::array names{
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
     Name{{-1, 0, 1}, "a speed over a force", "s/kg", "s/kg, m/s/N"},
     Name{{-1, -1, 1}, "a speed over a moment", "s/(kg m)", "s/kg/m, m/s/N/m"},
+    Name{{-1, 2, 1}, "a speed over a pressure", "m2 s/kg", "m2 s/kg, m/s/Pa"},
 };
 
 const Name* find(const Dimension& dimension) {

@@ -28,6 +28,12 @@ inline constexpr Range largest_load{.low = 1e-9, .high = 1e12};       // N m or 
 inline constexpr Range proportional{.low = 1e-9, .high = 1e12};       // N m s
 inline constexpr Range drive_inertia{.low = 0, .high = 1e9};          // kg m2
 inline constexpr Range bit_inertia{.low = 0, .high = 1e6};            // kg m2
+inline constexpr Range bit_geometry{.low = 0, .high = 1e3};           // 1
+inline constexpr Range bit_mass{.low = 0, .high = 1e6};               // kg
+inline constexpr Range motor_torque{.low = 1e-3, .high = 1e9};        // N m
+inline constexpr Range motor_speed{.low = 1e-3, .high = 1e5};         // rad/s
+inline constexpr Range motor_exponent{.low = 0.1, .high = 100};       // 1
+inline constexpr Range motor_displacement{.low = 1e-9, .high = 1e3};  // m3
 inline constexpr Range rock_strength{.low = 1, .high = 1e12};         // Pa
 inline constexpr Range cutter_inclination{.low = 1e-6, .high = 1e6};  // 1
 inline constexpr Range decay{.low = 0, .high = 1e5};                  // rad/s

@@ -118,7 +118,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
     const double dt = course.step();
     Table<DirectorRow>* rod = &state_.rod;
     Table<DirectorRow>* next = &next_;
-    DirectorStep step{state_.clock.time, last_step, dt, 0.5 * (last_step + dt)};
+    DirectorStep step{state_.clock.time, last_step, dt, 0.5 * (last_step + dt), steps_before};
     meeting_.barrier.wait();
     for (std::int64_t i = 0;; ++i) {
         bool sound = step_spans(worker, *rod, *next, step);
@@ -130,7 +130,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
         if (meeting_.fault_step.load(std::memory_order_relaxed) <= i) break;
         if (meeting_.last_step.load(std::memory_order_relaxed) <= i) break;
         std::swap(rod, next);
-        step = {course.time(course.done + i + 1), dt, dt, dt};
+        step = {course.time(course.done + i + 1), dt, dt, dt, steps_before + i + 1};
     }
     meeting_.barrier.wait();
     state_.accounts.take(worker.accounts, worker.share->first_span, worker.share->end_span);
@@ -182,15 +182,19 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
         }
         if (done.faults > 0) sound = false;
     }
-    // of no use to a bit that does not cut
-    const Eigen::Vector3d well = owns_bit && string_.bit.law() == BitLaw::cutting
+    // of no use to a bit that does not drill
+    const Eigen::Vector3d well = owns_bit && string_.bit.drills()
                                      ? well_at_bit(string_, state_.wall, rod)
                                      : Eigen::Vector3d::Zero();
     if (owns_bit) string_.bit.resist(state_.bit, state_.rock, rod, next, well, step);
     for (const std::size_t stretch : worker.share->stretches)
         worker.accounts.outflow[worker.share->early.front()] += string_.substeps.share(
             model, rod, next, stretch, step.kick, step.drift, worker.substeps[stretch]);
-    if (owns_head) string_.head.finish(state_.head, segments, rod, next, step);
+    if (owns_head) {
+        DirectorStep heads = step;
+        heads.motor_pressure = Bit::last_motor_pressure(state_.bit, step);
+        string_.head.finish(state_.head, segments, rod, next, heads);
+    }
     if (owns_bit) string_.bit.finish(state_.bit, state_.rock, segments, rod, next, well, step);
     return sound;
 }

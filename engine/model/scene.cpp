@@ -310,6 +310,20 @@ double buoyed_weight(const SectionProperties& section, const std::optional<Fluid
 
 namespace {
 
+/// The bit itself moves and turns with the last node, of whose metal it is; below a motor its rotor
+/// turns it.
+void add_bit(Scene& scene) {
+    SectionProperties& node = scene.mesh.node.back();
+    const double per_length = 1 / scene.mesh.cell.back();
+    if (!scene.bit.motor) node.polar_inertia += scene.bit.inertia * per_length;
+    const double mass = scene.bit.mass * per_length;
+    const double area = node.metal_area * mass / node.mass;
+    node.mass += mass;
+    node.metal_area += area;
+    node.outer_area += area;
+    scene.lateral_mass.back() += mass;
+}
+
 Scene scene_of(const Case& input) {
     Scene scene;
     scene.fluid = input.fluid;
@@ -332,7 +346,6 @@ Scene scene_of(const Case& input) {
                                : input.string,
                     input.mesh, lumping_of(input));
     scene.segments = static_cast<int>(scene.mesh.length.size());
-    scene.mesh.node.back().polar_inertia += input.bit.inertia / scene.mesh.cell.back();
     scene.features = features_of(input, scene.well, scene.mesh);
     scene.initial_strain = initial_strains(scene, input.initial);
     scene.initial_nodes = initial_nodes(scene, input.initial);
@@ -343,6 +356,7 @@ Scene scene_of(const Case& input) {
     scene.lateral_mass = lateral_masses(scene);
     if (scene.well) set_wall(scene);
     scene.inertia = rotary_inertias(scene, input);
+    add_bit(scene);
     for (const SectionProperties& node : scene.mesh.node)
         scene.weight.push_back(buoyed_weight(node, input.fluid, input.gravity));
     if (const auto note = note_on_braked_spin(scene)) scene.notes.push_back(*note);

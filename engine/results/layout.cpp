@@ -146,8 +146,10 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
                                  "position of the last node: north, east, down"),
         series<&R::head_rotation_rate>("/series/head_rotation_rate", "rad/s",
                                        "rotation rate of the first node about d3"),
-        series<&R::bit_rotation_rate>("/series/bit_rotation_rate", "rad/s",
-                                      "rotation rate of the last node about d3"),
+        series<&R::bit_rotation_rate>(
+            "/series/bit_rotation_rate", "rad/s",
+            "rotation rate of the bit about d3: of the last node, below a mud "
+            "motor that of its rotor"),
         series<&R::hook_load>("/series/hook_load", "N",
                               "force along the well that holds the head: the pull of the first "
                               "segment and the buoyed weight of the head's own half cell"),
@@ -166,11 +168,13 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
                                "torque of the rock on the bit, positive against a positive "
                                "rotation"),
         series<&R::depth_of_cut>("/series/depth_of_cut", "m",
-                                 "depth that the bit cuts in a turn; 0 where bit.law is not "
-                                 "\"cutting\""),
+                                 "depth that the bit drills in a turn; 0 by a law that does not "
+                                 "tell"),
         series<&R::drilled>("/series/drilled", "m",
                             "depth of the bit below the bottom of the hole at the start, negative "
-                            "off bottom; 0 where bit.law is not \"cutting\""),
+                            "off bottom; 0 by a law that does not tell"),
+        series<&R::motor_pressure>("/series/motor_pressure", "Pa",
+                                   "difference of pressure over the mud motor; 0 without one"),
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
         series<&R::energy, &E::rotation>("/series/rotation_energy", "J",
                                          "kinetic energy of the spin about d3, part of the kinetic "

@@ -7,7 +7,7 @@
 namespace drillstrand {
 
 Autodriller::Autodriller(const AutodrillerCase& autodriller)
-    : loops_{autodriller.weight, autodriller.rate, autodriller.torque},
+    : loops_{autodriller.weight, autodriller.rate, autodriller.torque, autodriller.pressure},
       off_bottom_load_(autodriller.off_bottom_load) {}
 
 double Autodriller::drum_speed(HeadState& head, const DrillerReadings& readings, double time,

@@ -10,8 +10,8 @@
 namespace drillstrand {
 
 /// What its gauges show, in the order of its loops: weight on bit (N), speed of the block (m/s),
-/// surface torque (N m).
-using DrillerReadings = std::array<double, 3>;
+/// surface torque (N m), difference of pressure over the motor (Pa).
+using DrillerReadings = std::array<double, 4>;
 
 class Autodriller {
   public:
@@ -24,7 +24,7 @@ class Autodriller {
                       double step) const;
 
   private:
-    std::array<std::optional<DrillerLoop>, 3> loops_;
+    std::array<std::optional<DrillerLoop>, 4> loops_;
     std::optional<double> off_bottom_load_;
 };
 

@@ -28,7 +28,8 @@ double Cutting::stiffness(const CuttingCase& given, double radius) {
 }
 
 Cutting::Cutting(const CuttingCase& given, double radius)
-    : piece_(2 * std::numbers::pi / given.blades / static_cast<double>(places)),
+    : blades_(given.blades),
+      piece_(2 * std::numbers::pi / given.blades / static_cast<double>(places)),
       stiffness_(stiffness(given, radius)),
       // T_c = a^2 eps d / 2, W_c = a zeta eps d
       torque_arm_(0.5 * radius / given.inclination),
@@ -53,24 +54,29 @@ double Cutting::surface_at(const RockState& rock) {
     return rock.last_surface + rock.beyond / to * (ahead - rock.last_surface);
 }
 
-double Cutting::depth_of_cut(const RockState& rock) {
+double Cutting::depth_of_blade(const RockState& rock) {
     return std::max(rock.depth - surface_at(rock), 0.0);
 }
 
-double Cutting::weight(const RockState& rock) const {
-    return stiffness_ * depth_of_cut(rock);
+double Cutting::depth_of_cut(const RockState& rock) const {
+    return blades_ * depth_of_blade(rock);
 }
 
-double Cutting::torque(const RockState& rock) const {
-    return torque_arm_ * weight(rock);
+double Cutting::cutting_weight(const RockState& rock) const {
+    return stiffness_ * depth_of_blade(rock);
+}
+
+double Cutting::weight(const RockState& rock) const {
+    return cutting_weight(rock) + rock.flat_weight;
 }
 
 double Cutting::largest_flat_weight(const RockState& rock) const {
     return rock.depth >= surface_at(rock) ? largest_flat_ : 0.0;
 }
 
-double Cutting::flat_torque(double flat_weight) const {
-    return flat_arm_ * flat_weight;
+RockTorque Cutting::torque(const RockState& rock) const {
+    const double flats = flat_arm_ * rock.flat_weight;
+    return {0, flats + torque_arm_ * cutting_weight(rock), flats};
 }
 
 void Cutting::advance(RockState& rock, double turn, double sink) const {

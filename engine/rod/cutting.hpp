@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drillstrand/case.hpp"
+#include "rod/rock_torque.hpp"
 #include "state/rows.hpp"
 
 namespace drillstrand {
@@ -16,15 +17,14 @@ class Cutting {
 
     /// The bottom before anything is cut.
     [[nodiscard]] RockState start(double off_bottom) const;
-    /// Depth that each blade cuts (m): 0 where it has left the rock.
-    [[nodiscard]] static double depth_of_cut(const RockState& rock);
-    /// What cutting asks of the bit: weight (N), and torque against a rotation (N m).
+    /// Depth that all blades cut in a turn (m): 0 where they have left the rock.
+    [[nodiscard]] double depth_of_cut(const RockState& rock) const;
+    /// What presses on cutters and wear flats (N).
     [[nodiscard]] double weight(const RockState& rock) const;
-    [[nodiscard]] double torque(const RockState& rock) const;
     /// The most that the wear flats bear (N): nothing off the rock.
     [[nodiscard]] double largest_flat_weight(const RockState& rock) const;
-    /// Friction of wear flats under a weight (N m).
-    [[nodiscard]] double flat_torque(double flat_weight) const;
+    /// What is cut resists on the way on only, wear flats both ways.
+    [[nodiscard]] RockTorque torque(const RockState& rock) const;
 
     /// Turns the bit (rad) and sinks it (m), evenly, and cuts what is in the way.
     void advance(RockState& rock, double turn, double sink) const;
@@ -34,7 +34,12 @@ class Cutting {
     [[nodiscard]] static double to_next(const RockState& rock);
     /// The rock under the blades, between those places (m).
     [[nodiscard]] static double surface_at(const RockState& rock);
+    /// Depth that each blade cuts (m).
+    [[nodiscard]] static double depth_of_blade(const RockState& rock);
+    /// Weight on the cutters (N).
+    [[nodiscard]] double cutting_weight(const RockState& rock) const;
 
+    double blades_;
     double piece_;         ///< rad, angle between places at which the surface is kept
     double stiffness_;     ///< N/m
     double torque_arm_;    ///< m, torque of cutting over its weight

@@ -312,6 +312,7 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     const double time = state.clock.time;
     const double last_drift = state.clock.last_step;
     DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), {}, state.wall, {}};
+    at.bit = state.bit;
     for (const BlockSpan span : string.spans)
         director_segments(model, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
@@ -324,11 +325,11 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
         at.impacts += done.impacts;
         at.slips += done.slips;
     }
-    BitState bit = state.bit;
     RockState rock = state.rock;
     if (last_drift > 0)
-        string.bit.resist(bit, rock, state.rod, at.rod, well_at_bit(string, state.wall, state.rod),
-                          {time, last_drift, 0.0, 0.5 * last_drift});
+        string.bit.resist(at.bit, rock, state.rod, at.rod,
+                          well_at_bit(string, state.wall, state.rod),
+                          {time, last_drift, 0.0, 0.5 * last_drift, state.statistics.steps});
     for (std::size_t i = 0; i < works.size(); ++i)
         string.substeps.share(model, state.rod, at.rod, i, 0.5 * last_drift, 0.0, works[i]);
     string.head.settle(state.head, at.segments, state.rod, at.rod, time, 0.5 * last_drift);
@@ -448,7 +449,7 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     record.head_position = position.front();
     record.bit_position = position.back();
     record.head_rotation_rate = at.rod.row(DirectorRow::spin)[0];
-    record.bit_rotation_rate = at.rod.row(DirectorRow::spin)[last];
+    record.bit_rotation_rate = string.bit.rate(at.bit, at.rod.row(DirectorRow::spin)[last]);
     const double time = state.clock.time;
     record.hook_load = string.head.hook_load(at.segments.vector(SegmentRow::pull, 0) +
                                                  at.segments.vector(SegmentRow::viscous_pull, 0) +
@@ -460,10 +461,11 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
         time);
     record.weight_on_bit = string.bit.weight(state.rock, time);
     record.bit_torque =
-        string.bit.law() == BitLaw::prescribed
-            ? string.bit.torque(string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]),
-                                time)
-            : state.bit.torque;
+        string.bit.turns_by_itself()
+            ? state.bit.torque
+            : string.bit.torque(string.head.opposed_rate(time, at.rod.row(DirectorRow::spin)[last]),
+                                time);
+    record.motor_pressure = string.bit.motor_pressure(state.bit);
     record.depth_of_cut = string.bit.depth_of_cut(state.rock);
     record.drilled = state.rock.depth;
     record.drive_torque = scene.head.drive ? state.head.drive_torque : record.surface_torque;

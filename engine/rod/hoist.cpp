@@ -47,7 +47,8 @@ double Hoist::fed(HeadState& head, double speed, const HoistLoad& load,
     if (!autodriller_)
         return block_speed_.integral(step.time + step.drift) - block_speed_.integral(step.time);
     const double hook_load = tension(head) - weight_;
-    const DrillerReadings readings{head.off_bottom_load - hook_load, speed, load.torque};
+    const DrillerReadings readings{head.off_bottom_load - hook_load, speed, load.torque,
+                                   step.motor_pressure};
     return step.drift * autodriller_->drum_speed(head, readings, step.time, step.drift);
 }
 

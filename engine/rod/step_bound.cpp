@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "rod/cutting.hpp"
+#include "rod/bit.hpp"
 #include "rod/segment_rates.hpp"
 
 namespace drillstrand {
@@ -191,10 +191,10 @@ std::vector<MovingSegment> moving_segments(const Scene& scene) {
     segments.reserve(loads.size());
     for (std::size_t k = 0; k < loads.size(); ++k)
         segments.push_back({segment_rates(scene, k, loads[k]), MovedInertia(scene, k)});
-    if (scene.bit.law == BitLaw::cutting) {
+    if (scene.bit.drills()) {
         // the rock is a spring on the bit's cell, which at an end is less than half a segment
         const SectionProperties& bit = scene.mesh.node.back();
-        const double rock = Cutting::stiffness(scene.bit.cutting, bit.outer_radius);
+        const double rock = rock_stiffness(scene);
         double& rate = segments.back().rates.axial;
         rate = std::hypot(rate, std::sqrt(rock / (bit.mass * scene.mesh.cell.back())));
     }
@@ -291,7 +291,7 @@ bool reaches_an_end_of_its_own(const FineStretch& stretch, const Scene& scene) {
     const HeadCase& head = scene.head;
     const bool head_yields = head.drive || head.hoist || head.motion == HeadMotion::pinned;
     return (stretch.first == 0 && head_yields) ||
-           (stretch.end == scene.mesh.length.size() && scene.bit.law == BitLaw::cutting);
+           (stretch.end == scene.mesh.length.size() && scene.bit.drills());
 }
 
 /// Rounds in single precision err by kappa 6e-8 of the forces, kappa up to 0.86 p^2.

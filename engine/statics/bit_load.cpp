@@ -15,7 +15,7 @@ BitLoad bit_load(const Bit& bit, const BitLoadCase& loads, const SegmentEnd& nod
     const Vector3d& t = node.director;
     std::optional<WellSection> well;
     if (arc != nullptr) well = well_section(node.position, *arc);
-    BitMotion motion{{}, well ? well->l : t, loads.rotation_rate};
+    BitMotion motion{{}, well ? well->l : t, bit.steady_rate(loads.rotation_rate, loads.time)};
     motion.frame << t, node.material, t.cross(node.material);
     const EndLoad full = bit.load(motion, loads.time);
 
@@ -38,7 +38,8 @@ bool bit_is_conservative(const Bit& bit, const BitLoadCase& loads) {
     if (loads.factor == 0) return true;
     const BitCase& given = bit.loads();
     const bool follows = given.direction == BitDirection::follower && given.weight(loads.time) != 0;
-    const bool torque = loads.rotation_rate != 0 && bit.full_torque(loads.time) != 0;
+    const bool turns = bit.loads().motor || loads.rotation_rate != 0;
+    const bool torque = turns && bit.full_torque(loads.time) != 0;
     return !follows && !torque && given.moment(loads.time).isZero(0) &&
            given.dead_moment(loads.time).isZero(0);
 }

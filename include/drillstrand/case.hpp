@@ -284,6 +284,7 @@ struct BitCase {
     double static_torque = 0;   ///< N m, largest while the bit sticks, law stribeck
     double dynamic_torque = 0;  ///< N m, at high speed
     double decay_speed = 0;     ///< rad/s over which the one falls to the other; 0: at once
+    double radius = 0;          ///< m; 0: that of the string's end
     double inertia = 0;         ///< of the bit itself, with a motor's rotor, about its axis (kg m2)
     double mass = 0;            ///< of the bit itself, in addition to its node's (kg)
     std::optional<MotorCase> motor;

@@ -38,6 +38,7 @@ SERIES = {  # columns of series.csv and where the file has them: dataset, compon
     "bit_torque[N m]": ("bit_torque", None),
     "depth_of_cut[m]": ("depth_of_cut", None),
     "drilled[m]": ("drilled", None),
+    "motor_pressure[Pa]": ("motor_pressure", None),
     "kinetic_energy[J]": ("kinetic_energy", None),
     "rotation_energy[J]": ("rotation_energy", None),
     "half_step_energy[J]": ("half_step_energy", None),

@@ -434,10 +434,24 @@ TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {
         {torque, torque + "\n" + law("\nstatic_torque = 5000"),
          "case.toml:35:10: bit.torque has no effect; expected it with bit.law = \"prescribed\""},
         {torque, torque + "\nfeed = \"5 m/s\"",
-         "case.toml:36:8: bit.feed has no effect; expected it with bit.law = \"cutting\""},
+         "case.toml:36:8: bit.feed has no effect; expected it with bit.law = \"cutting\" or "
+         "\"roller_cone\""},
+        {"weight = [[5, 0], [10, \"65 kN\"]]\ntorque = \"10 kN m\"",
+         "law = \"roller_cone\"\nrock_stiffness = 3e7\nspecific_energy = 1e8",
+         "case.toml:33:1: missing key \"bit.friction\"; expected that of the bit on the bottom, "
+         "such "
+         "as 0.3"},
+        {torque, torque + "\ninertia = 1\nmotor = {stall_torque = 1e4, no_load_speed = 10}",
+         "case.toml:37:9: missing key \"bit.motor.displacement\"; expected what a turn of the "
+         "rotor "
+         "displaces, such as \"20 L\", or fluid.flow_rate"},
+        {torque,
+         torque + "\nmotor = {stall_torque = 1e4, no_load_speed = 10, displacement = \"20 L\"}",
+         "case.toml:36:9: bit.motor turns a bit without inertia; expected bit.inertia, of bit and "
+         "rotor"},
         {"weight = [[5, 0], [10, \"65 kN\"]]\ntorque = \"10 kN m\"", "law = \"cutting\"",
-         "case.toml:33:1: missing key \"bit.cutting\"; expected a table with the rock's "
-         "specific_energy"},
+         "case.toml:33:1: missing key \"bit.intrinsic_specific_energy\"; expected that of the "
+         "rock, such as \"60 MPa\""},
         {torque, "law = \"cutting\"",
          "case.toml:34:10: bit.weight has no effect; expected it with another bit.law; by this one "
          "it is what the rock asks for"},
@@ -485,7 +499,13 @@ TEST(BadCases, HeadsThatMoveHaveTheirOwnKeys) {
         {rotation, "motion = \"pinned\"\n[head.hoist]\n" + block,
          "case.toml:32:1: head.hoist has no effect; expected it with head.motion = \"driven\""},
         {rotation, hoist(block + "[head.hoist.autodriller]\noff_bottom_load = 1"),
-         "case.toml:35:1: head.hoist.autodriller has no limit; expected weight, rate or torque"},
+         "case.toml:35:1: head.hoist.autodriller has no limit; expected weight, rate, torque or "
+         "pressure"},
+        {rotation,
+         hoist(block + "[head.hoist.autodriller]\npressure = 1e6\npressure_gain = 1e-9\n"
+                       "pressure_reset = 5"),
+         "case.toml:36:12: head.hoist.autodriller.pressure is the difference over a mud motor; "
+         "expected one, [bit.motor]"},
         {rotation, hoist(block + "[head.hoist.autodriller]\nweight = 1e5"),
          "case.toml:35:1: missing key \"head.hoist.autodriller.weight_gain\"; expected a drum "
          "speed over an error"},

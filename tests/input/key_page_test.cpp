@@ -193,13 +193,36 @@ inertia = 1
 law = "cutting"
 feed = 0.001
 off_bottom = 1
-[bit.cutting]
+radius = 0.1
 blades = 6
-specific_energy = 6e7
-inclination = 0.6
-wear_flat = 1e-3
+intrinsic_specific_energy = 6e7
+inclination_number = 0.6
+wear_length = 1e-3
 contact_strength = 6e7
-flat_friction = 0.5
+friction = 0.5
+geometry = 1
+)",
+                                      short_pipe + R"([bit]
+law = "roller_cone"
+friction = 0.4
+mass = 100
+inertia = 5
+lobes = 3
+lobe_height = 0.01
+rock_stiffness = 3e7
+specific_energy = 1e8
+[bit.motor]
+stall_torque = 1.2e4
+no_load_speed = 11.31
+exponent = 4.538
+displacement = 0.02
+[head.hoist]
+mass = 1e4
+line_stiffness = 1e6
+[head.hoist.autodriller]
+pressure = 2e6
+pressure_gain = 1e-9
+pressure_reset = 10
 )",
                                       short_pipe + R"([head.drive]
 control = "tuned"

@@ -46,6 +46,7 @@ SHAPES = {
     "/series/bit_torque": (4,),
     "/series/depth_of_cut": (4,),
     "/series/drilled": (4,),
+    "/series/motor_pressure": (4,),
     "/series/kinetic_energy": (4,),
     "/series/rotation_energy": (4,),
     "/series/half_step_energy": (4,),

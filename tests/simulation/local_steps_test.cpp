@@ -420,7 +420,7 @@ TEST(LocalSteps, DoNotReachABitThatCuts) {
     const auto steps = [](const std::string& law) {
         return step_plan(build_scene(case_from(pipe(300) + graded_mesh + "[bit]\n" + law)));
     };
-    const StepPlan cutting = steps("law = \"cutting\"\ncutting = {specific_energy = \"60 MPa\"}");
+    const StepPlan cutting = steps("law = \"cutting\"\nintrinsic_specific_energy = \"60 MPa\"");
     const StepPlan loaded = steps("weight = 1000");
     ASSERT_FALSE(loaded.stretches.empty());
     EXPECT_TRUE(cutting.stretches.empty());

@@ -102,6 +102,23 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.bit.feed = ScalarSchedule(0.01);
         input.bit.off_bottom = 1e-4;
     }
+    if (scenario.name == "MotorOnCones" && kind == IntegratorKind::leapfrog) {
+        input.bit.law = BitLaw::roller_cone;
+        input.bit.weight = {};
+        input.bit.torque = {};
+        input.bit.friction = 0.3;
+        input.bit.inertia = 3;
+        input.bit.mass = 150;
+        input.bit.roller_cone = {.lobe_height = 5e-3, .stiffness = 1e7, .specific_energy = 5e7};
+        input.bit.motor = MotorCase{.stall_torque = 5e3, .no_load_speed = 12, .displacement = 0.02};
+        AutodrillerCase driller;
+        driller.pressure = DrillerLoop{5e5, 1e-7, 1};
+        HoistCase& hoist = input.head.hoist.emplace();
+        hoist.mass = 2e3;
+        hoist.line_stiffness = 1e6;
+        hoist.lines = 4;
+        hoist.autodriller = driller;
+    }
     if (scenario.name == "MovedHead") {
         input.head.tilting = {{0, 0.5, 1}, {{0, 0, 0}, {0, 0.02, -0.01}, {0, 0, 0}}};
         input.head.velocity = {{0, 0.5, 1}, {{0, 0, 0}, {0.5, 0.02, 0}, {-0.5, 0, 0.01}}};
@@ -127,6 +144,7 @@ const std::vector<Scenario> scenarios = {
                                      "[initial]\noffset = [0.01, 0, 0]\n")},
     {"SlippingBit", pipe_in_well("")},
     {"CuttingBit", pipe_in_well("")},
+    {"MotorOnCones", pipe_in_well("")},
     {"PumpedMud", pipe_in_well("")},
     {"MovedHead", pipe_in_well("")},
     {"PinnedHead", pipe_in_well("")},

@@ -45,7 +45,6 @@ std::string drilling(double metres, const std::string& mesh, const std::string& 
         [bit]
         law = "cutting"
         {}
-        [bit.cutting]
         {}
         [run]
         duration = {}
@@ -66,8 +65,9 @@ TEST_P(CuttingBitOn, DrillsAsDetournayAndDefournyHaveIt) {
     const double rotation = 10;
     const test::Run run = test::run(drilling(
         50, GetParam(), "feed = 1e-3",
-        "blades = 4\nspecific_energy = \"30 MPa\"\ninclination = 0.7\nwear_flat = 1e-3\n"
-        "contact_strength = \"20 MPa\"\nflat_friction = 0.5",
+        "blades = 4\nintrinsic_specific_energy = \"30 MPa\"\ninclination_number = 0.7\nwear_length "
+        "= 1e-3\n"
+        "contact_strength = \"20 MPa\"\nfriction = 0.5",
         rotation, 120,
         "[damping]\nexternal_translation = 2000\nexternal_rotation = 0.5\nkelvin_voigt = 1e-3"));
     const SeriesRecord& last = run.last();
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CuttingBit, PressesOnNothingBeforeItIsOnBottom) {
     const test::Run run = test::run(drilling(100, "segments = 20", "feed = 1e-3\noff_bottom = 5e-3",
-                                             "specific_energy = \"60 MPa\"", 5, 15));
+                                             "intrinsic_specific_energy = \"60 MPa\"", 5, 15));
     for (const SeriesRecord& record : run.series) {
         if (record.time > 4.99) continue;
         EXPECT_NEAR(record.drilled, 1e-3 * record.time - 5e-3, 1e-9);
@@ -119,13 +119,13 @@ Swing swing(double number, double delay) {
     const double energy =
         number * pipe.impedance * pipe.shear_speed / length / (bit_radius * inclination * blades);
     const double damping = 0.3567 / unit * Pipe::density * pipe.area;
-    const test::Run run = test::run(
-        drilling(length, "segments = 160", "feed = [[0, 0], [30, 1e-3]]",
-                 fmt::format("blades = {}\ninclination = {}\nspecific_energy = {:.17g}", blades,
-                             inclination, energy),
-                 rotation, 260 * unit,
-                 fmt::format("[damping]\nexternal_translation = {:.17g}\nexternal_rotation = 0.3",
-                             damping)));
+    const test::Run run = test::run(drilling(
+        length, "segments = 160", "feed = [[0, 0], [30, 1e-3]]",
+        fmt::format("blades = {}\ninclination_number = {}\nintrinsic_specific_energy = {:.17g}",
+                    blades, inclination, energy),
+        rotation, 260 * unit,
+        fmt::format("[damping]\nexternal_translation = {:.17g}\nexternal_rotation = 0.3",
+                    damping)));
     const auto window = [&](double begin) {
         std::vector<double> depth;
         for (const SeriesRecord& record : run.series)

@@ -279,6 +279,23 @@ std::string hoist_text(const HoistCase& hoist) {
                        hoist.line_stiffness, drum);
 }
 
+std::string drilling_text(const BitCase& bit) {
+    if (bit.law == BitLaw::cutting)
+        return fmt::format("cuts rock of {:.4g} MPa with {} blades",
+                           bit.cutting.specific_energy / unit_factor("MPa", dimension::pressure),
+                           bit.cutting.blades);
+    return fmt::format("cones on {} lobes of {:.4g} mm, rock of {:.4g} MPa", bit.roller_cone.lobes,
+                       bit.roller_cone.lobe_height / unit_factor("mm", dimension::length),
+                       bit.roller_cone.specific_energy / unit_factor("MPa", dimension::pressure));
+}
+
+std::string motor_text(const MotorCase& motor) {
+    return fmt::format("{:.4g} kN m stalled, {:.4g} rad/s ({:.4g} rpm) without load",
+                       motor.stall_torque / unit_factor("kN m", dimension::moment),
+                       motor.no_load_speed,
+                       motor.no_load_speed / unit_factor("rpm", dimension::frequency));
+}
+
 std::string head_text(const HeadCase& head) {
     if (head.motion == HeadMotion::free)
         return fmt::format("free, force up to {:.4g} N, moment up to {:.4g} N m",
@@ -307,6 +324,8 @@ void print_loads(const Scene& scene) {
     if (largest(bit.weight) > 0)
         line("bit weight", fmt::format("up to {}, along the {}", force_text(largest(bit.weight)),
                                        bit.direction == BitDirection::well ? "well" : "string"));
+    if (bit.drills()) line("bit", drilling_text(bit));
+    if (bit.motor) line("mud motor", motor_text(*bit.motor));
     if (bit.law == BitLaw::stribeck)
         line("bit torque",
              fmt::format("friction, {:.4g} kN m at rest, {:.4g} kN m at speed",
