@@ -110,8 +110,9 @@ void read_cutting(const Table& table, BitCase& bit) {
     if (const std::optional<Value> strength = table.find("contact_strength"))
         cutting.contact_strength =
             strength->quantity(dimension::pressure, plausible::rock_strength);
-    cutting.flat_friction = table.number("friction", 0, plausible::friction) *
-                            table.number("geometry", 1, plausible::bit_geometry);
+    const double geometry = table.number("geometry", 1, plausible::bit_geometry);
+    if (const std::optional<Value> friction = table.find("friction"))
+        cutting.flat_friction = friction->number(plausible::friction) * geometry;
 }
 
 /// The rock, and the lobes that the cones leave in it.

@@ -45,6 +45,8 @@ void write_curve(H5::H5File& file, const TorqueDragCurve& curve) {
     write_table(file, profile_group_of(curve.motion), torque_drag_profile_datasets(), curve);
     H5::Group group = file.openGroup(group_of(curve.motion));
     hdf5::write_attribute(group, "not_found", static_cast<std::int64_t>(curve.failures.size()));
+    hdf5::write_attribute(group, "lock_up_depth", curve.lock_up_depth);
+    hdf5::write_attribute(group, "largest_weight", curve.largest_weight);
 }
 
 void write_file(const fs::path& path, const TorqueDragResult& result) {
@@ -103,6 +105,9 @@ TorqueDragCurve read_curve(hdf5::UntrustedFile& file, TorqueDragMotion motion,
     read_table(file, group_of(motion), torque_drag_depth_datasets(), study.bit_depth.size(), curve);
     read_table(file, profile_group_of(motion), torque_drag_profile_datasets(),
                study.measured_depth.size(), curve);
+    const H5::Group group = file.hdf5().openGroup(group_of(motion));
+    hdf5::read_attribute(group, "lock_up_depth", curve.lock_up_depth);
+    hdf5::read_attribute(group, "largest_weight", curve.largest_weight);
     return curve;
 }
 

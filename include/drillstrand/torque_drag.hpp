@@ -3,6 +3,7 @@
 /// engine/statics/README.md.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,12 @@ struct TorqueDragCurve {
     std::vector<double> mud_force;            ///< of mud in motion on the string, downward (N)
     std::vector<double> soft_hook_load;       ///< N
     std::vector<double> soft_surface_torque;  ///< N m
+    /// Measured depth of the bit at which the string comes to a stop on its way down by its own
+    /// weight (m); NaN where it does not, and of other motions.
+    double lock_up_depth = std::numeric_limits<double>::quiet_NaN();
+    /// The most that reaches the bit at the last depth while the string slides (N); NaN of other
+    /// motions.
+    double largest_weight = std::numeric_limits<double>::quiet_NaN();
     TorqueDragProfile profile;                ///< at the last depth
     std::vector<TorqueDragFailure> failures;
 };
@@ -65,6 +72,9 @@ struct TorqueDrag {
     std::vector<double> measured_depth;   ///< N, of these middles (m)
     std::vector<TorqueDragCurve> curves;  ///< in the order of the case's motions
 };
+
+/// Whether the weight of the string alone takes it down: it trips in or slides.
+bool goes_by_its_weight(TorqueDragMotion motion);
 
 /// The study that a case asks for in its table [torque_drag]; without one, at 20 even depths down
 /// to that of the bit. The head is at the start of the well, and the string is cut or lengthened at

@@ -108,6 +108,41 @@ TEST(TorqueDrag, StiffStringClimbsTheWallAsItTurnsWhichLightensItsTorque) {
     }
 }
 
+// A slant that casing lets the string slide down and the open hole does not: what slides is
+// w (L cos - sum of mu_i L_i sin), and weight on the bit takes as much from the hook.
+TEST(TorqueDrag, LocksUpWhereFrictionBearsTheString) {
+    const double inclination = 70 * degree;
+    Case input = case_in({{0, inclination, 1}, {3000, inclination, 1}}, 0);
+    input.torque_drag.friction.reset();
+    WellSectionCase casing{.to = 1200, .diameter = 0.22};
+    casing.static_friction = casing.dynamic_friction = {0.2, 0.2};
+    WellSectionCase open{.to = 3000, .diameter = 0.22};
+    open.static_friction = open.dynamic_friction = {0.5, 0.5};
+    input.well->sections = {casing, open};
+    input.torque_drag.depths = {1000, 2000, 3000};
+    input.bit.weight = ScalarSchedule(20e3);
+    const double cased = std::cos(inclination) - 0.2 * std::sin(inclination);
+    const double opened = std::cos(inclination) - 0.5 * std::sin(inclination);
+    const double weight = input.bit.weight.values().back();
+    for (const TorqueDragCurve& one : compute_torque_drag(input).curves) {
+        if (one.motion != Motion::tripping_in && one.motion != Motion::sliding) {
+            EXPECT_TRUE(std::isnan(one.lock_up_depth));
+            continue;
+        }
+        const bool slides = one.motion == Motion::sliding;
+        const double borne = slides ? weight / pipe_weight : 0;
+        // the first metres below the head, which holds the pipe off the wall, do not rub
+        EXPECT_NEAR(one.lock_up_depth, 1200 - (1200 * cased - borne) / opened, 20);
+        if (!slides) continue;
+        // nothing is left at 3000 m
+        EXPECT_EQ(one.largest_weight, 0);
+    }
+    input.torque_drag.depths = {2000};
+    input.torque_drag.motions = {Motion::sliding};
+    EXPECT_NEAR(compute_torque_drag(input).curves.front().largest_weight,
+                pipe_weight * (1200 * cased + 800 * opened), 1e3);
+}
+
 // Casing to 1200 m and open hole below: what rubs is the sum of mu_i w L_i sin(inclination).
 TEST(TorqueDrag, InCasingAndOpenHoleHasTheFrictionOfEach) {
     const double inclination = 50 * degree;

@@ -76,6 +76,16 @@ struct TorqueDragCommand {
 
 int torque_drag(const TorqueDragCommand& command);
 
+struct CalibrateOptions {
+    std::filesystem::path case_path;
+    std::filesystem::path points;  ///< measured
+    std::filesystem::path table;   ///< of points and fit (CSV); empty: none
+    Overrides overrides;
+    bool overwrite = false;
+};
+
+int calibrate(const CalibrateOptions& options);
+
 struct ReportOptions {
     std::filesystem::path result;
     std::filesystem::path output;    ///< empty: the result's stem + .html in the working directory

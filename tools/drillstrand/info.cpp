@@ -154,10 +154,16 @@ void print_contents(const TorqueDragResult& result) {
     fmt::print("  bit depths       {}, from {:.6g} to {:.6g} m\n", depths.size(), depths.front(),
                depths.back());
     fmt::print("  segments         {} at the last depth\n", result.header.segment_s.size());
-    for (const TorqueDragCurve& curve : result.study.curves)
+    for (const TorqueDragCurve& curve : result.study.curves) {
         fmt::print(
             "  /torque_drag/{:<14} hook load at the last depth {:.9g} N, torque {:.6g} N m\n",
             motion_name(curve.motion), curve.hook_load.back(), curve.surface_torque.back());
+        if (std::isfinite(curve.lock_up_depth))
+            fmt::print("  {:<27} locks up with the bit at {:.6g} m\n", "", curve.lock_up_depth);
+        if (std::isfinite(curve.largest_weight))
+            fmt::print("  {:<27} largest weight that reaches the bit {:.6g} N\n", "",
+                       curve.largest_weight);
+    }
     for (const auto* table : {&torque_drag_depth_datasets(), &torque_drag_profile_datasets()})
         for (const TorqueDragDataset& entry : *table)
             fmt::print("  {:<24} {} ({})\n", entry.name, entry.description, entry.units);

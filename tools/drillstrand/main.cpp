@@ -60,11 +60,12 @@ class CommandLine {
         add_buckling();
         add_equilibrium();
         add_torque_drag();
+        add_calibrate();
         add_report();
         add_export();
         add_info();
-        for (CLI::App* command :
-             {run_, check_, buckling_, equilibrium_, torque_drag_, report_, export_, info_})
+        for (CLI::App* command : {run_, check_, buckling_, equilibrium_, torque_drag_, calibrate_,
+                                  report_, export_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -90,6 +91,9 @@ class CommandLine {
         if (torque_drag_->parsed())
             return torque_drag({case_path_, output_, table_path_, profile_table_path_,
                                 parse_overrides(overrides_), overwrite_});
+        if (calibrate_->parsed())
+            return calibrate(
+                {case_path_, measured_path_, table_path_, parse_overrides(overrides_), overwrite_});
         if (report_->parsed())
             return report({result_path_, output_, measured_path_, offset_, follow_, overwrite_});
         if (export_->parsed())
@@ -177,6 +181,22 @@ class CommandLine {
             ->type_name("OUT.csv");
         add_overrides(*torque_drag_);
         add_overwrite(*torque_drag_);
+    }
+
+    void add_calibrate() {
+        calibrate_ = app_.add_subcommand(
+            "calibrate", "Fit friction and block weight to measured hook loads and torques");
+        calibrate_->add_option("CASE.toml", case_path_, "The case with well and string")
+            ->required();
+        calibrate_
+            ->add_option("POINTS.csv", measured_path_,
+                         "Table of measured points: depth, pick_up, slack_off, rotating, torque")
+            ->required();
+        calibrate_
+            ->add_option("--csv", table_path_, "Table of points beside the fit; default: none")
+            ->type_name("OUT.csv");
+        add_overrides(*calibrate_);
+        add_overwrite(*calibrate_);
     }
 
     void add_report() {
@@ -280,7 +300,7 @@ class CommandLine {
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
                 "unknown command '{}'; the commands are run, check, buckling, equilibrium, "
-                "torque-drag, report, export and info",
+                "torque-drag, calibrate, report, export and info",
                 argv[1]);
         return error.what();
     }
@@ -297,6 +317,7 @@ class CommandLine {
     CLI::App* buckling_ = nullptr;
     CLI::App* equilibrium_ = nullptr;
     CLI::App* torque_drag_ = nullptr;
+    CLI::App* calibrate_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* export_ = nullptr;
     CLI::App* info_ = nullptr;

@@ -18,12 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How the tables of export begin.
+/// How the tables of export and calibrate begin.
 constexpr std::array table_starts = {
     std::string_view("time[s],head_stress_twist_moment["),
     std::string_view("time[s],arc_length[m],position_north["),
     std::string_view("time[s],arc_length[m],twist_moment["),
     std::string_view("measured_depth[m],north[m],east[m],down[m],radius[m]"),
+    std::string_view("bit_depth[m],load,measured["),
 };
 
 /// How those of torque-drag begin: with the first column of the first motion behind the depth.

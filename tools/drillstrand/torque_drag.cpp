@@ -82,6 +82,12 @@ struct Quantity {
     bool marked;  ///< with the state of buckling
     std::vector<double> TorqueDragCurve::*stiff;
     std::vector<double> TorqueDragCurve::*soft;
+
+    /// One of its values; a hook that would have to push a string down holds none.
+    [[nodiscard]] std::string text(double value, TorqueDragMotion motion) const {
+        const bool pushes = marked && value < 0 && goes_by_its_weight(motion);
+        return pushes ? "locked" : number(value, unit, decimals);
+    }
 };
 
 const Quantity hook_load{"hook load",
@@ -112,9 +118,9 @@ void print_table(const TorqueDrag& study, const std::vector<const TorqueDragCurv
         fmt::print("  {:>13.2f}", study.bit_depth[i]);
         for (const TorqueDragCurve* curve : curves)
             fmt::print("  {:>9} {} {:>9}",
-                       number((curve->*quantity.stiff)[i], quantity.unit, quantity.decimals),
+                       quantity.text((curve->*quantity.stiff)[i], curve->motion),
                        quantity.marked ? mark(curve->buckling[i]) : " ",
-                       number((curve->*quantity.soft)[i], quantity.unit, quantity.decimals));
+                       quantity.text((curve->*quantity.soft)[i], curve->motion));
         fmt::print("\n");
     }
     fmt::print("\n");
@@ -169,6 +175,13 @@ void print_legend(const TorqueDrag& study) {
         });
     if (buckled)
         fmt::print("  s, h: somewhere compression is past the sinusoidal, the helical limit\n\n");
+    const bool locked =
+        std::any_of(study.curves.begin(), study.curves.end(), [](const TorqueDragCurve& curve) {
+            return goes_by_its_weight(curve.motion) &&
+                   std::any_of(curve.hook_load.begin(), curve.hook_load.end(),
+                               [](double load) { return load < 0; });
+        });
+    if (locked) fmt::print("  locked: only a push from above would take the string down\n\n");
 }
 
 std::string largest_text(const std::vector<double>& values, const std::vector<double>& depths,
@@ -216,6 +229,27 @@ void print_last_depth(const TorqueDrag& study) {
                    largest_text(profile.von_mises_stress, study.measured_depth, megapascal(), 1));
         fmt::print("  {}\n", buckling_text(study, profile));
     }
+}
+
+/// How deep the string gets by its own weight, and how much of that the bit.
+void print_limits(const Case& input, const TorqueDrag& study) {
+    for (const TorqueDragCurve& curve : study.curves) {
+        const bool slides = curve.motion == TorqueDragMotion::sliding;
+        const std::string with = slides
+                                     ? fmt::format(" with {:.4g} kN on the bit",
+                                                   input.bit.weight.values().back() / kilonewton())
+                                     : "";
+        if (std::isfinite(curve.lock_up_depth))
+            fmt::print(
+                "  {}: cannot go below {:.1f} m{}: friction bears all of the string's weight\n",
+                motion_words(curve.motion), curve.lock_up_depth, with);
+        if (std::isfinite(curve.largest_weight))
+            fmt::print(
+                "  {}: at most {:.4g} kN reach the bit at {:.2f} m, with nothing on the hook\n",
+                motion_words(curve.motion), curve.largest_weight / kilonewton(),
+                study.bit_depth.back());
+    }
+    fmt::print("\n");
 }
 
 void print_failures(const TorqueDrag& study) {
@@ -272,6 +306,7 @@ int torque_drag(const TorqueDragCommand& command) {
     print_legend(study);
     print_mud(input, study);
     print_last_depth(study);
+    print_limits(input, study);
     print_failures(study);
     return found_something(study) ? done : simulation_failed;
 }
