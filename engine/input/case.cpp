@@ -40,6 +40,7 @@ void check_ends(const Case& input, const toml::table& root) {
     if (input.head.hoist) refuse("head.hoist");
     if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
     if (input.contact.stribeck_speed > 0) refuse("contact.stribeck_speed");
+    if (input.contact.normal_law != NormalLaw::linear) refuse("contact.normal_law");
 }
 
 /// Throws InputError where the head lets the bit down beyond the surveyed well, or a component to

@@ -44,6 +44,7 @@ constexpr std::array names{
     Name{{1, 0, -2}, "a force per length", "N/m", "N/m, lbf/ft"},
     Name{{-1, 0, 1}, "a speed over a force", "s/kg", "s/kg, m/s/N"},
     Name{{-1, -1, 1}, "a speed over a moment", "s/(kg m)", "s/kg/m, m/s/N/m"},
+    Name{{0, -1, 1}, "a time over a length", "s/m", "s/m, s/ft"},
 };
 
 const Name* find(const Dimension& dimension) {
