@@ -27,6 +27,24 @@ DRILLSTRAND_INLINE double normal_force(double penetration, double velocity_r, do
     return penetration > 0.0 ? bounded : 0.0;
 }
 
+/// What the spring of a wall of stiffness k is at a depth, by its law: k dr, or Hertz's k dr^1.5.
+/// Force over depth (Pa). A kernel knows its law.
+DRILLSTRAND_INLINE double secant_stiffness(NormalLaw law, double stiffness, double penetration) {
+    if (law == NormalLaw::linear) return stiffness;
+    const double depth = penetration > 0.0 ? penetration : 0.0;
+    return stiffness * std::sqrt(depth);
+}
+/// Growth of the force with the depth (Pa).
+DRILLSTRAND_INLINE double tangent_stiffness(NormalLaw law, double stiffness, double penetration) {
+    const double growth = law == NormalLaw::hertz ? 1.5 : 1.0;
+    return growth * secant_stiffness(law, stiffness, penetration);
+}
+/// Energy over half the square of the depth (Pa).
+DRILLSTRAND_INLINE double energy_stiffness(NormalLaw law, double stiffness, double penetration) {
+    const double part = law == NormalLaw::hertz ? 0.8 : 1.0;
+    return part * secant_stiffness(law, stiffness, penetration);
+}
+
 /// A pair of numbers along the well (l) and around it (t).
 struct Tangential {
     double axial, azimuthal;

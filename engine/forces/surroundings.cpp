@@ -70,6 +70,8 @@ SurroundingsParameters surroundings_parameters(const Scene& scene) {
     const ContactCase& contact = scene.contact;
     p.least_normal = contact.tension ? -std::numeric_limits<double>::infinity() : 0.0;
     p.restitution = contact.restitution.value_or(-1.0);
+    p.normal_law = contact.normal_law;
+    p.hunt_crossley = contact.hunt_crossley;
     p.varied_wall = scene.features.varied_wall;
     p.friction =
         friction_parameters(contact.tangential_stiffness,
@@ -258,12 +260,14 @@ NodeContact Surroundings::contact(const Table<WallRow>& wall, std::size_t node,
     result.axial_friction = rub.axial;
     result.force = result.normal_force * vector(frame.r) + rub.axial * vector(frame.l) +
                    rub.azimuthal * vector(frame.t);
-    const double by_slopes =
-        result.normal_force * hole.slope - 0.5 * firmness.slope * row(stiffness)[node] * dr * dr;
+    const NormalLaw law = parameters_.normal_law;
+    const double stiffening = energy_stiffness(law, firmness.slope * row(stiffness)[node], dr);
+    const double by_slopes = result.normal_force * hole.slope - 0.5 * stiffening * dr * dr;
     if (by_slopes != 0) result.force += by_slopes * vector(frame.l);
     const double stretch2 = spring.elongation.axial * spring.elongation.axial +
                             spring.elongation.azimuthal * spring.elongation.azimuthal;
-    result.spring_energy = 0.5 * its_stiffness * dr * dr + 0.5 * p.stiffness * stretch2;
+    result.spring_energy =
+        0.5 * energy_stiffness(law, its_stiffness, dr) * dr * dr + 0.5 * p.stiffness * stretch2;
     return result;
 }
 

@@ -20,7 +20,10 @@ namespace drillstrand {
 struct SurroundingsParameters {
     double least_normal = 0;  ///< 0, or minus infinity where the dashpot may pull (N/m)
     double restitution = -1;  ///< that a case asks for; -1 where spring and dashpot tell
-    /// Friction, firmness or diameter vary along the well, or friction with speed.
+    NormalLaw normal_law = NormalLaw::linear;
+    double hunt_crossley = 0;  ///< chi, law hertz (s/m)
+    /// Friction, firmness or diameter vary along the well, friction with speed, or stiffness with
+    /// depth.
     bool varied_wall = false;
     FrictionParameters friction{};
     double density = 0;    ///< kg/m3
@@ -57,7 +60,7 @@ class Surroundings {
     enum Row : std::size_t {
         pipe,       // radius that touches the wall (m)
         body,       // radius around which mud flows (m)
-        stiffness,  // k_el of a wall of firmness 1 (Pa)
+        stiffness,  // k_el of a wall of firmness 1 (Pa; law hertz: K, Pa/m^0.5)
         damping,    // eta_el (Pa s)
         inside,     // fluid in the pipe that moves sideways with it (kg/m)
         displaced,  // fluid that the pipe displaces, rho pi R^2, where it has an added mass (kg/m)

@@ -41,6 +41,7 @@ void check_ends(const Case& input, const toml::table& root) {
     if (input.bit.law != BitLaw::prescribed) refuse("bit.law");
     if (input.bit.motor) refuse("bit.motor");
     if (input.contact.stribeck_speed > 0) refuse("contact.stribeck_speed");
+    if (input.contact.normal_law != NormalLaw::linear) refuse("contact.normal_law");
 }
 
 /// Throws InputError where an autodriller reads a pressure that no motor has.

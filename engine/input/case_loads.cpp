@@ -255,25 +255,63 @@ BitCase read_bit(const Table& root, const StringCase& string,
     return bit;
 }
 
-ContactCase read_contact(const Table& root) {
-    const Table table = root.subtable(
-        "contact", {"normal_stiffness", "point_stiffness", "normal_damping", "restitution",
-                    "tangential_stiffness", "rolling_creep", "static_friction", "dynamic_friction",
-                    "stribeck_speed", "law", "tension", "interference"});
-    table.refuse_both("normal_damping", "restitution");
+namespace {
 
-    ContactCase contact;
-    contact.normal_stiffness = table.quantity("normal_stiffness", dimension::pressure,
-                                              contact.normal_stiffness, plausible::wall_stiffness);
+// Of Hertz's wall that are left out (Pa/m^0.5).
+constexpr double hertz_stiffness = 1e9;
+constexpr double hertz_point_stiffness = 2e10;
+
+/// Under the pipe and under contact points, to which the wall is as firm at least.
+void read_stiffnesses(const Table& table, const std::optional<Value>& normal,
+                      ContactCase& contact) {
+    if (normal)
+        contact.normal_stiffness = normal->quantity(dimension::pressure, plausible::wall_stiffness);
     if (const std::optional<Value> point = table.find("point_stiffness"))
         contact.point_stiffness = point->quantity(dimension::pressure, plausible::wall_stiffness);
     else
         contact.point_stiffness = std::max(contact.point_stiffness, contact.normal_stiffness);
+}
+
+/// Spring and dashpot.
+void read_linear_wall(const Table& table, ContactCase& contact) {
+    refuse_key(table, "hunt_crossley", "contact.normal_law = \"hertz\"");
+    table.refuse_both("normal_damping", "restitution");
+    const std::string usual = fmt::format("{}", contact.normal_stiffness);
+    read_stiffnesses(table, table.find("normal_stiffness", usual), contact);
     contact.normal_damping = table.quantity("normal_damping", dimension::viscosity,
                                             contact.normal_damping, plausible::wall_damping);
-    if (const std::optional<Value> restitution = table.find("restitution")) {
+    if (const std::optional<Value> restitution = table.find("restitution"))
         contact.restitution = restitution->number({.low = 0, .high = 1});
-    }
+}
+
+/// Hertz's spring with Hunt and Crossley's damping.
+void read_hertz_wall(const Table& table, ContactCase& contact) {
+    constexpr Dimension time_over_length{0, -1, 1};
+    for (const std::string_view key : {"normal_damping", "restitution"})
+        refuse_key(table, key, "contact.normal_law = \"linear\"");
+    contact.normal_stiffness = hertz_stiffness;
+    contact.point_stiffness = hertz_point_stiffness;
+    read_stiffnesses(table, table.find("normal_stiffness"), contact);
+    contact.hunt_crossley = table.quantity("hunt_crossley", time_over_length, contact.hunt_crossley,
+                                           plausible::hunt_crossley);
+}
+
+}  // namespace
+
+ContactCase read_contact(const Table& root) {
+    const Table table = root.subtable(
+        "contact",
+        {"normal_law", "normal_stiffness", "point_stiffness", "normal_damping", "restitution",
+         "hunt_crossley", "tangential_stiffness", "rolling_creep", "static_friction",
+         "dynamic_friction", "stribeck_speed", "law", "tension", "interference"});
+    ContactCase contact;
+    contact.normal_law =
+        table.choice<NormalLaw>("normal_law", contact.normal_law,
+                                {{"linear", NormalLaw::linear}, {"hertz", NormalLaw::hertz}});
+    if (contact.normal_law == NormalLaw::hertz)
+        read_hertz_wall(table, contact);
+    else
+        read_linear_wall(table, contact);
     contact.tangential_stiffness =
         table.quantity("tangential_stiffness", dimension::pressure, contact.tangential_stiffness,
                        plausible::wall_stiffness);
@@ -292,6 +330,11 @@ ContactCase read_contact(const Table& root) {
                                             contact.stribeck_speed, plausible::speed_or_none);
     if (contact.stribeck_speed > 0 && contact.law == FrictionLaw::paper)
         refuse_key(table, "stribeck_speed", "contact.law = \"coulomb\"");
+    if (contact.normal_law == NormalLaw::hertz && contact.law == FrictionLaw::paper)
+        table.require("normal_law", "")
+            .fail(
+                "is \"hertz\", which the paper's friction does not know; expected contact.law = "
+                "\"coulomb\"");
     contact.tension = table.boolean("tension", contact.tension);
     contact.interference = table.quantity("interference", dimension::length, contact.interference,
                                           plausible::length_or_none);

@@ -45,6 +45,7 @@ constexpr std::array names{
     Name{{-1, 0, 1}, "a speed over a force", "s/kg", "s/kg, m/s/N"},
     Name{{-1, -1, 1}, "a speed over a moment", "s/(kg m)", "s/kg/m, m/s/N/m"},
     Name{{-1, 2, 1}, "a speed over a pressure", "m2 s/kg", "m2 s/kg, m/s/Pa"},
+    Name{{0, -1, 1}, "a time over a length", "s/m", "s/m, s/ft"},
 };
 
 const Name* find(const Dimension& dimension) {

@@ -47,6 +47,7 @@ inline constexpr Range line_stiffness{.low = 1e-3, .high = 1e15};     // N/m
 inline constexpr Range gain{.low = 0, .high = 1e6};                   // m/s over an error
 inline constexpr Range wall_stiffness{.low = 1e-3, .high = 1e15};     // Pa
 inline constexpr Range wall_damping{.low = 0, .high = 1e15};          // Pa s
+inline constexpr Range hunt_crossley{.low = 0, .high = 1e3};          // s/m
 inline constexpr Range friction{.low = 0, .high = 1e3};               // 1
 inline constexpr Range creep{.low = 0, .high = 1};                    // 1
 inline constexpr Range drag_coefficient{.low = 0, .high = 1e3};       // 1

@@ -54,6 +54,14 @@ double wall_at_contact_point(const ContactPoint& point, const ContactCase& conta
     return point.stiffness.value_or(contact.point_stiffness) * point.length / cell;
 }
 
+/// The dashpot at a node of a wall of this stiffness (Pa s). Hertz's wall damps without one.
+double normal_damping(const ContactCase& contact, double stiffness, double mass) {
+    if (contact.normal_law == NormalLaw::hertz) return 0;
+    return contact.restitution
+               ? 2 * damping_ratio_for(*contact.restitution) * std::sqrt(stiffness * mass)
+               : stiffness / contact.normal_stiffness * contact.normal_damping;
+}
+
 /// Springs and dashpots of the wall at each node. The bit's node carries those of the wall that the
 /// bit touches on the length of its own cell, as it carries every load.
 void set_wall(Scene& scene) {
@@ -64,13 +72,9 @@ void set_wall(Scene& scene) {
     for (const StringMesh::Contact& at : mesh.contact)
         scene.normal_stiffness[at.node] =
             wall_at_contact_point(at.point, contact, mesh.cell[at.node]);
-    for (std::size_t k = 0; k < mesh.node.size(); ++k) {
-        const double stiffness = scene.normal_stiffness[k];
+    for (std::size_t k = 0; k < mesh.node.size(); ++k)
         scene.normal_damping.push_back(
-            contact.restitution ? 2 * damping_ratio_for(*contact.restitution) *
-                                      std::sqrt(stiffness * scene.lateral_mass[k])
-                                : stiffness / contact.normal_stiffness * contact.normal_damping);
-    }
+            normal_damping(contact, scene.normal_stiffness[k], scene.lateral_mass[k]));
 }
 
 /// The angle from d1 to the side of the hole that toolfaces are counted from, at a place of a
@@ -131,8 +135,10 @@ SceneFeatures features_of(const Case& input, const std::optional<Well>& well,
                           const StringMesh& mesh) {
     SceneFeatures features;
     features.well = input.well.has_value();
-    // friction that falls with speed is in these kernels alone: each version takes long to compile
+    // friction that falls with speed and Hertz's wall are in these kernels alone: each version
+    // takes long to compile
     features.varied_wall = well && (well->varies_along() || input.contact.stribeck_speed > 0 ||
+                                    input.contact.normal_law == NormalLaw::hertz ||
                                     std::any_of(input.well->sections.begin(),
                                                 input.well->sections.end(), has_own_friction));
     if (features.well && input.fluid) {

@@ -216,6 +216,8 @@ struct WellNodes {
           thinning(model.surroundings.parameters().thinning),
           least_normal(model.surroundings.parameters().least_normal),
           restitution(model.surroundings.parameters().restitution),
+          normal_law(model.surroundings.parameters().normal_law),
+          hunt_crossley(model.surroundings.parameters().hunt_crossley),
           viscosity(model.surroundings.parameters().viscosity),
           film(model.surroundings.parameters().film),
           wet_in_contact(model.surroundings.parameters().contact_drag ? 1.0 : 0.0),
@@ -229,7 +231,9 @@ struct WellNodes {
     DampingPair external_damping;
     FrictionParameters friction;
     Thinning thinning;
-    double least_normal, restitution, viscosity, film, wet_in_contact, eccentric_axial;
+    double least_normal, restitution;
+    NormalLaw normal_law;
+    double hunt_crossley, viscosity, film, wet_in_contact, eccentric_axial;
 
     /// D_ex, which is implicit, takes its part of what walls and mud give: without that a node at
     /// rest would need less of the wall the longer the step.
@@ -337,7 +341,7 @@ struct WellNodes {
 
     /// Where the wall varies, its normal leans: it also pushes the node to where the hole is wide
     /// and the wall soft.
-    template <bool varied_wall>
+    template <bool varied_wall, NormalLaw law>
     DRILLSTRAND_INLINE void press(std::size_t k) const {
         const Mobility m = mobility(k);
         const double lean = varied_wall ? h.widening[k] : 0.0;
@@ -349,13 +353,18 @@ struct WellNodes {
         }
         // positions go straight on for a drift: none where a whole step is looked at
         const double approach = speed - circling_speed(h.eccentricity[k], h.u_t[k], drift);
-        const double normal = implicit_normal_force(wall.depth[k], approach, wall.stiffness[k],
-                                                    wall.dashpot[k], least_normal, kick, leaning);
+        const double normal =
+            law == NormalLaw::hertz
+                ? implicit_hertz_force(wall.depth[k], approach, wall.stiffness[k], hunt_crossley,
+                                       least_normal, kick, leaning)
+                : implicit_normal_force(wall.depth[k], approach, wall.stiffness[k], wall.dashpot[k],
+                                        least_normal, kick, leaning);
         wall.normal[k] = normal;
         h.u_r[k] += m.across * normal;
         if constexpr (varied_wall) {
             const double depth = wall.depth[k] > 0.0 ? wall.depth[k] : 0.0;
-            h.u_l[k] += m.along * (lean * normal - 0.5 * h.stiffening[k] * depth * depth);
+            const double stiffening = energy_stiffness(law, h.stiffening[k], depth);
+            h.u_l[k] += m.along * (lean * normal - 0.5 * stiffening * depth * depth);
         }
     }
 
@@ -525,13 +534,27 @@ DRILLSTRAND_INLINE double rub_nodes(const Well& well, const Wall& wall, std::siz
     return slips;
 }
 
+template <class Wall, NormalLaw law, class Well>
+DRILLSTRAND_INLINE void press_nodes(const Well& well, std::size_t count) {
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k)
+        well.template press<Wall::varies, law>(k);
+}
+/// By the law of the wall; that of a wall which does not vary is linear.
+template <class Wall, class Well>
+DRILLSTRAND_INLINE void press_nodes(const Well& well, std::size_t count) {
+    if constexpr (Wall::varies) {
+        if (well.normal_law == NormalLaw::hertz)
+            return press_nodes<Wall, NormalLaw::hertz>(well, count);
+    }
+    press_nodes<Wall, NormalLaw::linear>(well, count);
+}
+
 /// Pressing and rubbing in two loops: what waits for the one does not hold up the other. Returns
 /// how many nodes began to slide.
 template <class Wall, class Well>
 DRILLSTRAND_INLINE double touch_wall(const Well& well, const Wall& wall, std::size_t count) {
-#pragma omp simd
-    for (std::size_t k = 0; k < count; ++k)
-        well.template press<Wall::varies>(k);
+    press_nodes<Wall>(well, count);
     if (well.restitution >= 0.0) {
 #pragma omp simd
         for (std::size_t k = 0; k < count; ++k)

@@ -92,9 +92,36 @@ WallDrag wall_drag(const Scene& scene, const std::vector<double>& friction,
     return drag;
 }
 
+namespace {
+
+constexpr double most_of_helix = 10;  // clearances
+
+/// How deep a helix lies in Hertz's wall, q (c + dr) = dr^1.5, c its clearance: by Newton's method
+/// from the most, from where it comes down to the root.
+double depth_in_hertz_wall(double q, double clearance) {
+    constexpr int rounds = 60;
+    double depth = most_of_helix * clearance;
+    for (int i = 0; i < rounds; ++i) {
+        const double root = std::sqrt(depth);
+        const double miss = depth * root - q * (clearance + depth);
+        const double slope = 1.5 * root - q;
+        if (miss <= 0 || slope <= 0) break;
+        depth -= miss / slope;
+    }
+    return depth;
+}
+
+/// How deep a helix lies in a wall; q = F^2 / (4 EI k_el) with the wall's k_el or K.
+double helix_depth(NormalLaw law, double q, double clearance) {
+    if (law == NormalLaw::hertz) return depth_in_hertz_wall(q, clearance);
+    const double clearances = q < most_of_helix / (1 + most_of_helix) ? q / (1 - q) : most_of_helix;
+    return clearances * clearance;
+}
+
+}  // namespace
+
 double helix_penetration(const Scene& scene, const std::vector<NodeContact>& contacts,
                          const std::vector<double>& tension) {
-    constexpr double most = 10;  // clearances
     if (!scene.well) return 0;
     double deepest = 0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -105,8 +132,8 @@ double helix_penetration(const Scene& scene, const std::vector<NodeContact>& con
         const double stiffness = contacts[k].firmness * scene.normal_stiffness[k];
         const double q =
             compression * compression / (4 * scene.mesh.node[k].bending_stiffness * stiffness);
-        const double clearances = q < most / (1 + most) ? q / (1 - q) : most;
-        deepest = std::max(deepest, clearances * contacts[k].clearance);
+        deepest =
+            std::max(deepest, helix_depth(scene.contact.normal_law, q, contacts[k].clearance));
     }
     return deepest;
 }

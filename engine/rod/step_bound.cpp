@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "forces/contact.hpp"
 #include "rod/bit.hpp"
 #include "rod/segment_rates.hpp"
 
@@ -108,7 +109,7 @@ class HoldingWall {
     [[nodiscard]] double firmness() const { return firmness_; }
     /// Square of the rate at which it throws a node back (1/s2).
     [[nodiscard]] double rate2(std::size_t node) const {
-        return firmness_ * scene_.normal_stiffness[node] / scene_.lateral_mass[node];
+        return stiffness(node) / scene_.lateral_mass[node];
     }
     /// Square of the rate of a node that it holds and friction drags, at most (1/s2).
     [[nodiscard]] double touching_rate2(std::size_t node) const {
@@ -121,11 +122,21 @@ class HoldingWall {
     /// Whether it throws a node back within a step (s): what a step cannot tell would give energy.
     [[nodiscard]] bool is_beyond(std::size_t node, double step) const {
         if (!scene_.well) return false;
-        const double stiffness = firmness_ * scene_.normal_stiffness[node] + rubbing();
-        return scene_.mesh.cell[node] * stiffness * step * step > mass_at_hand(node, step);
+        const double holding = stiffness(node) + rubbing();
+        return scene_.mesh.cell[node] * holding * step * step > mass_at_hand(node, step);
     }
 
   private:
+    /// Of its spring (Pa). Hertz's wall is as stiff as the node is deep: here where a fast impact
+    /// takes it, (2/5) K dr^2.5 = m v^2/2.
+    [[nodiscard]] double stiffness(std::size_t node) const {
+        constexpr double fast = 10;  // m/s
+        const NormalLaw law = scene_.contact.normal_law;
+        const double own = firmness_ * scene_.normal_stiffness[node];
+        if (law == NormalLaw::linear) return own;
+        const double depth = std::pow(1.25 * scene_.lateral_mass[node] * fast * fast / own, 0.4);
+        return tangent_stiffness(law, own, depth);
+    }
     /// A surface that is held moves by the node's own motion and by its spin: (u + R s)^2 is at
     /// most 2 u^2 + 2 R^2 s^2 (Pa).
     [[nodiscard]] double rubbing() const { return 2 * scene_.contact.tangential_stiffness; }

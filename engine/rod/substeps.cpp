@@ -110,11 +110,12 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
         const WallRows wall(model.surroundings, wall_table, first);
         const VaryingWall sections(wall_table, first);
         const FrictionParameters friction = model.surroundings.parameters().friction;
-        const auto hold = [&](std::size_t k) DRILLSTRAND_LAMBDA {
+        const NormalLaw normal_law = model.surroundings.parameters().normal_law;
+        const auto hold = [&](std::size_t k, NormalLaw law) DRILLSTRAND_LAMBDA {
             const WellFrame frame = well_frame(in.x[k], wall.arc(k));
             const double depth = penetration(frame.eccentricity, wall.hole[k], wall.pipe[k]);
             const double touching = (depth > 0.0 ? 1.0 : 0.0) * c.cell[k];
-            const double firm = touching * wall.stiffness[k];
+            const double firm = touching * secant_stiffness(law, wall.stiffness[k], depth);
             const double rubs = touching * friction.stiffness;
             // friction as its spring holds, on the cone of the normal force
             const double normal = firm * depth;
@@ -128,7 +129,7 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
             // whose motion is both the node's and that of its spin: (u + R s)^2 <= 2 u^2 + 2 R^2
             // s^2
             const double apart = frame.eccentricity > depth ? frame.eccentricity : depth;
-            work.wall_normal[k] = firm;
+            work.wall_normal[k] = touching * tangent_stiffness(law, wall.stiffness[k], depth);
             work.wall_around[k] = firm * depth / (apart > 0.0 ? apart : 1.0) + 2.0 * rubs;
             work.wall_spin[k] = 2.0 * rubs * wall.pipe[k] * wall.pipe[k];
             work.to_axis.set(k, frame.r);
@@ -142,9 +143,15 @@ DRILLSTRAND_KERNEL void gather_forces(const DirectorModel& model, const Table<Di
             work.force.set(k, combine(1.0, at(work.force, k), 1.0, at(work.held, k)));
             work.couple.set(k, combine(1.0, at(work.couple, k), work.held_torque[k], in.t[k]));
         };
+        if (normal_law == NormalLaw::hertz) {
 #pragma omp simd
-        for (std::size_t k = 0; k < nodes; ++k)
-            hold(k);
+            for (std::size_t k = 0; k < nodes; ++k)
+                hold(k, NormalLaw::hertz);
+        } else {
+#pragma omp simd
+            for (std::size_t k = 0; k < nodes; ++k)
+                hold(k, NormalLaw::linear);
+        }
 #pragma omp simd
         for (std::size_t k = 0; k < nodes; ++k)
             add(k);

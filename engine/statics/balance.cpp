@@ -56,6 +56,7 @@ WallSite Balance::site(const RodState& state, std::size_t node) {
             scene_.mesh.node[node].outer_radius,
             scene_.normal_stiffness[node] * cell,
             loads_.stiffest_wall * cell,
+            scene_.contact.normal_law,
             friction(node, *around)};
 }
 
@@ -103,7 +104,7 @@ double Imbalance::least_energy_change() const {
 /// couples with an arm of h at most, bending and torsion with EI / h and GJ / h; a wall with its
 /// stiffness.
 void Balance::add_rounding(const RodState& state, std::size_t segment, double pull,
-                           Imbalance& sum) const {
+                           const WallLoad& touch, Imbalance& sum) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();
     const std::size_t node = segment + 1;
     const SectionProperties& section = scene_.mesh.segment[segment];
@@ -123,12 +124,16 @@ void Balance::add_rounding(const RodState& state, std::size_t segment, double pu
         its.couple += couple + scene_.mesh.node[at].outer_radius * wall;
     };
     if (segment >= first_) add(segment, 0);
-    double wall = 0;
-    if (scene_.well)
-        wall = std::min(scene_.well->arcs()[arc_[node]].firmness * scene_.normal_stiffness[node],
-                        loads_.stiffest_wall) *
-               scene_.mesh.cell[node] * position;
-    add(node, wall);
+    add(node, scene_.well ? wall_stiffness(node, touch) * position : 0);
+}
+
+/// How fast the force of the wall on a node grows with its depth, or would where it touched (N/m).
+/// Hertz's wall begins with nothing.
+double Balance::wall_stiffness(std::size_t node, const WallLoad& touch) const {
+    if (scene_.contact.normal_law == NormalLaw::hertz) return touch.stiffness;
+    return std::min(scene_.well->arcs()[arc_[node]].firmness * scene_.normal_stiffness[node],
+                    loads_.stiffest_wall) *
+           scene_.mesh.cell[node];
 }
 
 /// What a pinned head may do: turn across its director.
@@ -174,7 +179,8 @@ Imbalance Balance::imbalance(const RodState& state) {
         if (k >= first_) sum.force[k - first_] += forces.on_a;
         sum.force[b] += forces.on_b;
         add_energy(forces.energy);
-        add_rounding(state, k, forces.on_a.head<3>().norm(), sum);
+        const WallLoad wall = scene_.well ? wall_load(site(state, node)) : WallLoad{};
+        add_rounding(state, k, forces.on_a.head<3>().norm(), wall, sum);
 
         const Vector3d weight =
             loads_.weight * scene_.mesh.cell[node] * scene_.weight[node] * scene_.down;
@@ -186,7 +192,6 @@ Imbalance Balance::imbalance(const RodState& state) {
             sum.force[b].head<3>() += pushed;
             sum.loose[b].head<3>() += pushed;
         }
-        const WallLoad wall = wall_load(site(state, node));
         sum.force[b] += wall.load;
         sum.loose[b].head<3>() += wall.friction;
         sum.loose[b].tail<3>() += wall.load.tail<3>();

@@ -90,7 +90,8 @@ class Balance {
     [[nodiscard]] Eigen::Vector3d mud_force(const RodState& state, std::size_t node);
     [[nodiscard]] Eigen::Matrix3d mud_tangent(const RodState& state, std::size_t node);
     void add_rounding(const RodState& state, std::size_t segment, double pull,
-                      Imbalance& sum) const;
+                      const WallLoad& touch, Imbalance& sum) const;
+    [[nodiscard]] double wall_stiffness(std::size_t node, const WallLoad& touch) const;
     static Matrix6 tilt_of(const RodState& state);
     void pin_head(const RodState& state, BlockTridiagonal& matrix) const;
 

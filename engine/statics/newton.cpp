@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "forces/contact.hpp"
+
 namespace drillstrand {
 
 namespace {
@@ -69,9 +71,11 @@ Newton::Newton(const Scene& scene, Balance& balance, int budget)
                                               0.01 * section.radius);
             across_.emplace_back(Matrix3d::Identity() -
                                  section.direction * section.direction.transpose());
+            // Hertz's wall as where a pipe lies
+            const double wall = secant_stiffness(scene.contact.normal_law,
+                                                 scene.normal_stiffness[node], 0.01 * clearance);
             firmness_.push_back(scene.mesh.cell[node] *
-                                std::max(std::abs(scene.weight[node]) / clearance,
-                                         1e-4 * scene.normal_stiffness[node]));
+                                std::max(std::abs(scene.weight[node]) / clearance, 1e-4 * wall));
             span_.push_back(clearance);
         }
         // a bed across the well would take the spin of a pinned head for tilt

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "drillstrand/error.hpp"
+#include "forces/contact.hpp"
 
 namespace drillstrand {
 
@@ -76,16 +77,20 @@ void EquilibriumSearch::settle_in_well() {
     if (moving) settle_moving();
 }
 
-/// Stiffnesses on the way to the walls' own (Pa), from one into which the weight sinks by a tenth
-/// of the clearance. Contacts that come and go change little where the wall is soft. None is so
-/// soft that a string which weighs next to nothing leaves the well by its own stiffness.
+/// Stiffnesses on the way to the walls' own (k_el or K), from one into which the weight sinks by a
+/// tenth of the clearance. Contacts that come and go change little where the wall is soft. None is
+/// so soft that a string which weighs next to nothing leaves the well by its own stiffness.
 std::vector<double> EquilibriumSearch::wall_stiffnesses() const {
     const double stiff =
         scene_.well->largest_firmness() *
         *std::max_element(scene_.normal_stiffness.begin(), scene_.normal_stiffness.end());
     double soft = 1e-4 * stiff;
-    for (std::size_t k = 1; k < scene_.weight.size(); ++k)
-        soft = std::max(soft, 10 * std::abs(scene_.weight[k]) / newton_.clearance(k));
+    for (std::size_t k = 1; k < scene_.weight.size(); ++k) {
+        const double tenth = 0.1 * newton_.clearance(k);
+        const double per_stiffness = secant_stiffness(scene_.contact.normal_law, 1, tenth);
+        soft =
+            std::max(soft, 10 * std::abs(scene_.weight[k]) / newton_.clearance(k) / per_stiffness);
+    }
     constexpr double ratio = 10;
     std::vector<double> stiffnesses;
     for (double k = soft; k < stiff / 2; k *= ratio)

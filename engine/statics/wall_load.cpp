@@ -15,12 +15,20 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The wall as a node meets it: an energy k depth^2/2 of its place.
+/// The wall as a node meets it: an energy k depth^2/2 of its place, or 2/5 k depth^2.5.
 struct Wall {
+    NormalLaw law;
     double depth;       ///< m; negative in the open hole
     double stiffness;   ///< k, times the cell (N/m)
     double lean;        ///< growth of the hole's radius along l
     double stiffening;  ///< growth of k along l (N/m2)
+
+    /// Normal force (N) of a spring of stiffness k, growth of the force (N/m), energy (J).
+    [[nodiscard]] double force(double k) const { return secant_stiffness(law, k, depth) * depth; }
+    [[nodiscard]] double tangent() const { return tangent_stiffness(law, stiffness, depth); }
+    [[nodiscard]] double energy(double k) const {
+        return 0.5 * energy_stiffness(law, k, depth) * depth * depth;
+    }
 
     /// Against the growth of the depth.
     [[nodiscard]] Vector3d normal(const WellSection& section) const {
@@ -39,7 +47,7 @@ Wall wall_at(const WallSite& site, const WellSection& section) {
     const AlongArc hole = along_arc(section.frame, site.arc->radius, site.arc->widening);
     const AlongArc firmness = along_arc(section.frame, site.arc->firmness, site.arc->firming);
     const double own = site.stiffness * firmness.value;
-    return {penetration(section.eccentricity, hole.value, site.pipe_radius),
+    return {site.law, penetration(section.eccentricity, hole.value, site.pipe_radius),
             std::min(own, site.stiffest), hole.slope,
             own < site.stiffest ? site.stiffness * firmness.slope : 0.0};
 }
@@ -63,12 +71,13 @@ WallLoad wall_load(const WallSite& site) {
     const Wall wall = wall_at(site, s);
     const double depth = wall.depth;
     if (depth <= 0) return result;
-    const double normal = wall.stiffness * depth;
-    const Vector3d push = normal * wall.normal(s) - 0.5 * wall.stiffening * depth * depth * s.l;
+    const double normal = wall.force(wall.stiffness);
+    const Vector3d push = normal * wall.normal(s) - wall.energy(wall.stiffening) * s.l;
     result.friction = -normal * (site.friction.axial * s.l + site.friction.azimuthal * s.t);
     result.couple = -normal * site.pipe_radius * site.friction.azimuthal;
     result.load << push + result.friction, result.couple * site.director;
-    result.energy = 0.5 * normal * depth;
+    result.energy = wall.energy(wall.stiffness);
+    result.stiffness = wall.tangent();
     return result;
 }
 
@@ -78,7 +87,8 @@ Matrix6 wall_tangent(const WallSite& site) {
     const Wall wall = wall_at(site, s);
     const double depth = wall.depth;
     if (depth <= 0) return d;
-    const double normal = wall.stiffness * depth;
+    const double normal = wall.force(wall.stiffness);
+    const double tangent = wall.tangent();
     const FrictionShares& rub = site.friction;
 
     // the penetration grows by -normal . dx, the stiffness by stiffening l . dx; the section turns
@@ -91,22 +101,22 @@ Matrix6 wall_tangent(const WallSite& site) {
         dt.col(i) = dr.col(i).cross(s.l) + s.r.cross(dl.col(i));
     const Vector3d inward = wall.normal(s);
     const Vector3d direction = inward - rub.axial * s.l - rub.azimuthal * s.t;
-    d.topLeftCorner<3, 3>() = -wall.stiffness * direction * inward.transpose() +
+    d.topLeftCorner<3, 3>() = -tangent * direction * inward.transpose() +
                               normal * (dr + (wall.lean - rub.axial) * dl - rub.azimuthal * dt);
 
     const double arm = site.pipe_radius * rub.azimuthal;
     const Vector3d& axis = site.director;
-    d.bottomLeftCorner<3, 3>() = wall.stiffness * arm * axis * inward.transpose();
+    d.bottomLeftCorner<3, 3>() = tangent * arm * axis * inward.transpose();
     d.bottomRightCorner<3, 3>() = normal * arm * skew(axis);
     if (site.arc->widening == 0 && wall.stiffening == 0) return d;
 
-    const Vector3d stiffening = depth * wall.stiffening * s.l;
+    const Vector3d stiffening = wall.force(wall.stiffening) * s.l;
     const Vector3d leaning = change_of_growth(s, *site.arc, normal * site.arc->widening);
     const double firming = wall.stiffening == 0 ? 0.0 : site.stiffness * site.arc->firming;
-    const Vector3d softening = change_of_growth(s, *site.arc, -0.5 * depth * depth * firming);
-    d.topLeftCorner<3, 3>() +=
-        direction * stiffening.transpose() + stiffening * inward.transpose() -
-        0.5 * depth * wall.stiffening * depth * dl + s.l * (leaning + softening).transpose();
+    const Vector3d softening = change_of_growth(s, *site.arc, -wall.energy(1) * firming);
+    d.topLeftCorner<3, 3>() += direction * stiffening.transpose() +
+                               stiffening * inward.transpose() - wall.energy(wall.stiffening) * dl +
+                               s.l * (leaning + softening).transpose();
     d.bottomLeftCorner<3, 3>() -= arm * axis * stiffening.transpose();
     return d;
 }

@@ -30,6 +30,7 @@ struct WallSite {
     double pipe_radius;  ///< m
     double stiffness;    ///< k_el of a wall of firmness 1 times the cell (N/m)
     double stiffest;     ///< bound of the wall's stiffness times the cell (N/m)
+    NormalLaw law;       ///< of the wall's spring; hertz: K for k_el
     FrictionShares friction;
 };
 
@@ -39,6 +40,7 @@ struct WallLoad {
     Eigen::Vector3d friction = Eigen::Vector3d::Zero();  ///< part of the force (N)
     double couple = 0;                                   ///< of friction, about the director (N m)
     double energy = 0;                                   ///< of the wall's spring (J)
+    double stiffness = 0;                                ///< growth of the force with depth (N/m)
 };
 
 WallLoad wall_load(const WallSite& site);

@@ -26,7 +26,9 @@ struct SceneFeatures {
     bool inertial_flow = false;  ///< of which the fluid's inertia is part
     bool flowing_mud = false;    ///< it is pumped, or its viscosity depends on the rate of shear
     bool fluid_mass = false;     ///< fluid inside and around the pipe moves sideways with it
-    bool varied_wall = false;    ///< friction, firmness or diameter of the wall vary along the well
+    /// Friction, firmness or diameter of the wall vary along the well, friction with speed, or its
+    /// stiffness with depth.
+    bool varied_wall = false;
     Damping damping = Damping::none;
     bool curved = false;  ///< a stress-free shape that is not straight, or an eccentric mass
 };
@@ -57,9 +59,10 @@ struct Scene {
     std::vector<double> inertia;
     std::vector<double> weight;  ///< N+1, buoyed weight (N/m)
     /// N+1, k_el (Pa) and eta_el (Pa s) of the wall at the node, per length of its cell; at the bit
-    /// with the wall that it touches besides. Those of [contact]: where the well is firmer, by
-    /// WellArc::firmness, the stiffness is larger by that factor, and so is a dashpot that follows
-    /// from a restitution by its root. Empty without a well.
+    /// with the wall that it touches besides; of Hertz's wall K (Pa/m^0.5) and 0. Those of
+    /// [contact]: where the well is firmer, by WellArc::firmness, the stiffness is larger by that
+    /// factor, and so is a dashpot that follows from a restitution by its root. Empty without a
+    /// well.
     std::vector<double> normal_stiffness;
     std::vector<double> normal_damping;
     bool local_steps = true;  ///< leapfrog: where segments are short, steps of their own

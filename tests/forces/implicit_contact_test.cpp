@@ -121,6 +121,78 @@ TEST(ImplicitNormalForce, HoldsANodeThatCirclesInTheWellAtTheDepthOfItsCentrifug
     }
 }
 
+// --- Hertz's wall
+
+TEST(ImplicitHertzForce, TendsToHertzsForceWithHuntAndCrossleysDamping) {
+    Dice dice(4);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const double mass = dice.decades(1, 1e3);
+        const double stiffness = dice.decades(1e4, 1e12);
+        const double chi = dice.decades(1e-2, 10);
+        const double depth = dice.decades(1e-9, 1e-1);
+        const double speed = dice.between(-1, 1) * std::min(1.0, 0.5 / chi);
+        const double law = stiffness * std::pow(depth, 1.5) * (1 - chi * speed);
+        // a step in which the wall changes nothing
+        const double secant = stiffness * std::sqrt(depth);
+        const double dt = 1e-6 * mass / (std::sqrt(mass * secant) + chi * secant * depth);
+        EXPECT_NEAR(
+            implicit_hertz_force(depth, speed, stiffness, chi, -no_limit, dt, {dt / mass, 0, 0}),
+            law, 1e-4 * law);
+        EXPECT_EQ(
+            implicit_hertz_force(-depth, speed, stiffness, chi, -no_limit, dt, {dt / mass, 0, 0}),
+            0);
+    }
+}
+
+/// A node that came with `speed` away from the axis, a part of a step deep: with what it goes.
+double speed_back(double stiffness, double chi, double mass, double dt, double speed, double part) {
+    double v = -speed;
+    for (double depth = part * dt * speed; depth > 0; depth -= dt * v)
+        v += dt / mass * implicit_hertz_force(depth, v, stiffness, chi, 0, dt, {dt / mass, 0, 0});
+    return v;
+}
+
+TEST(ImplicitHertzForce, ReturnsNoNodeFasterThanItCame) {
+    Dice dice(5);
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double mass = dice.decades(1, 1e3);
+        const double dt = dice.decades(1e-6, 1e-2);
+        const double speed = dice.decades(1e-2, 10);
+        // from a thirtieth of the contact's time to a hundred times it
+        const double time = dt * dice.decades(1e-2, 30);
+        const double depth = speed * time / 2.9432;
+        const double stiffness = 1.25 * mass * speed * speed / std::pow(depth, 2.5);
+        const double chi = dice.between(0, 1) < 0.5 ? 0 : dice.decades(1e-2, 10);
+        const double back = speed_back(stiffness, chi, mass, dt, speed, dice.between(0, 1));
+        EXPECT_LE(back, speed * (1 + 1e-12)) << time / dt;
+    }
+}
+
+TEST(ImplicitHertzForce, HoldsANodeThatCirclesInTheWellAtTheDepthOfItsCentrifugalForce) {
+    const double mass = 43;         // kg/m
+    const double speed = 5;         // m/s
+    const double clearance = 0.04;  // m
+    const double stiffness = 5e9;   // Pa/m^0.5
+    const double dt = 1e-3;         // s
+    const double depth = std::pow(mass * speed * speed / clearance / stiffness, 2.0 / 3);
+    Eigen::Vector2d position(clearance + depth, 0);
+    Eigen::Vector2d velocity(0, speed);
+    for (int step = 0; step < 20000; ++step) {
+        const double eccentricity = position.norm();
+        const Eigen::Vector2d r = -position / eccentricity;
+        const double around = velocity.dot(Eigen::Vector2d(-r.y(), r.x()));
+        const double approach = velocity.dot(r) - circling_speed(eccentricity, around, dt);
+        velocity += dt / mass *
+                    implicit_hertz_force(eccentricity - clearance, approach, stiffness, 1, 0, dt,
+                                         {dt / mass, 0, 0}) *
+                    r;
+        position += dt * velocity;
+        if (step < 2000) continue;
+        ASSERT_NEAR(position.norm() - clearance, depth, 0.1 * depth) << "step " << step;
+    }
+    EXPECT_NEAR(velocity.norm(), speed, 0.01 * speed);
+}
+
 // --- friction
 
 /// The force on the cone by bisection in the logarithm of lambda, in long double.

@@ -688,6 +688,40 @@ TEST(BadCases, FrictionThatFallsWithSpeedIsCoulombsOnTheLeapfrogsRod) {
     });
 }
 
+TEST(BadCases, HertzsWallHasADampingOfItsOwnOnTheLeapfrogsRod) {
+    const auto contact = [](const std::string& keys, const std::string& message) {
+        return Mistake{"duration = 20\n", "duration = 20\n[contact]\n" + keys,
+                       "case.toml:" + message};
+    };
+    expect_messages({
+        contact("normal_law = \"hertzian\"\n",
+                "40:14: contact.normal_law is \"hertzian\"; expected \"linear\" or \"hertz\""),
+        contact("normal_law = \"hertz\"\nnormal_damping = 1e5\n",
+                "41:18: contact.normal_damping has no effect; expected it with "
+                "contact.normal_law = \"linear\""),
+        contact("normal_law = \"hertz\"\nrestitution = 0.5\n",
+                "41:15: contact.restitution has no effect; expected it with "
+                "contact.normal_law = \"linear\""),
+        contact("hunt_crossley = 0.5\n",
+                "40:17: contact.hunt_crossley has no effect; expected it with "
+                "contact.normal_law = \"hertz\""),
+        contact("normal_law = \"hertz\"\nhunt_crossley = \"1 s\"\n",
+                "41:17: contact.hunt_crossley: s is a time; expected a time over a length such as "
+                "s/m, s/ft"),
+        contact("normal_law = \"hertz\"\nhunt_crossley = -1\n",
+                "41:17: contact.hunt_crossley is -1; expected 0 to 1000 s/m"),
+        contact("normal_law = \"hertz\"\nlaw = \"paper\"\n",
+                "40:14: contact.normal_law is \"hertz\", which the paper's friction does not know; "
+                "expected contact.law = \"coulomb\""),
+    });
+    expect_messages({
+        {"duration = 20\n",
+         "duration = 20\nintegrator = \"dormand-prince\"\n[contact]\nnormal_law = \"hertz\"\n",
+         "case.toml:41:14: contact.normal_law is for the leapfrog's rod; expected "
+         "run.integrator = \"leapfrog\""},
+    });
+}
+
 TEST(BadCases, MudInMotionIsOfOneKindAndHasAnnulusAndPump) {
     const auto fluid = [](const std::string& keys, const std::string& message) {
         return Mistake{"viscosity = 1e-3", keys, "case.toml:" + message};

@@ -390,6 +390,25 @@ TEST(GoodCases, ContactPointsPressOnRockOrOnAWallThatIsFirmer) {
               3e9);
 }
 
+TEST(GoodCases, HertzsWallHasStiffnessesOfItsOwn) {
+    const ContactCase linear = read_trial("[run]", "[run]").contact;
+    EXPECT_EQ(linear.normal_law, NormalLaw::linear);
+    const ContactCase hertz =
+        read_trial("[run]", "[contact]\nnormal_law = \"hertz\"\n[run]").contact;
+    EXPECT_EQ(hertz.normal_law, NormalLaw::hertz);
+    EXPECT_EQ(hertz.normal_stiffness, 1e9);
+    EXPECT_EQ(hertz.point_stiffness, 2e10);
+    EXPECT_EQ(hertz.hunt_crossley, 1);
+    const ContactCase own =
+        read_trial("[run]",
+                   "[contact]\nnormal_law = \"hertz\"\nnormal_stiffness = \"30 GPa\"\n"
+                   "hunt_crossley = \"0.5 s/m\"\n[run]")
+            .contact;
+    EXPECT_EQ(own.normal_stiffness, 3e10);
+    EXPECT_EQ(own.point_stiffness, 3e10);
+    EXPECT_EQ(own.hunt_crossley, 0.5);
+}
+
 TEST(GoodCases, AnEccentricMassHasAPlaceInItsComponent) {
     const Case input = read_trial(
         "[mesh]", "eccentric_mass = \"0.5 kg m\"\neccentric_mass_position = \"10 ft\"\n[mesh]");

@@ -166,6 +166,7 @@ moment = [1, 0, 0]
 [bit]
 torque = 1
 [contact]
+normal_law = "linear"
 normal_damping = 1
 [damping]
 internal_translation = 1
@@ -189,7 +190,10 @@ dynamic_torque = 6000
 decay_speed = 1
 inertia = 1
 )",
-                                      short_pipe + R"([bit]
+                                      short_pipe + R"([contact]
+normal_law = "hertz"
+hunt_crossley = 1
+[bit]
 law = "cutting"
 feed = 0.001
 off_bottom = 1

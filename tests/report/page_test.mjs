@@ -160,6 +160,7 @@ test("every section of a run in a well is there, with the numbers of the result 
     const spectrum = (await plotted(page, "spectrum")).traces[0];
     assert.deepEqual([spectrum.z.length, spectrum.z[0].length], [spectrum.y.length, spectrum.x.length]);
     assert.ok((await plotted(page, "stickslip")).traces[0].y.length > 100);
+    assert.ok(!traces.some(({ title }) => title === "of the motor"), "a head without a drive has no motor");
 
     const printed = (value, unit) => `${Number((value).toPrecision(4))} ${unit}`;
     const last = times.length - 1;
@@ -305,6 +306,32 @@ test("all axes have titles and nothing sticks out of the page, on a desk or on a
         !one.closest(".compare, pre, svg, .bar") && one.getBoundingClientRect().right > window.innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)));
       assert.deepEqual(out, []);
     });
+});
+
+test("a bit that sticks has the index of the findings, and its drive the torque of the motor", async () => {
+  run("stick_slip.toml", "stuck.h5", "run.duration=60", "output.interval=0.05");
+  drillstrand("report", "stuck.h5");
+  const stuck = JSON.parse(python("result_numbers.py", at("stuck.h5")));
+  await withPage("stuck.html", wide, async (page) => {
+    await showAll(page);
+    const torques = (await plotted(page, "traces")).traces;
+    const drive = torques.find(({ title }) => title === "of the motor");
+    assertClose(drive.y, stuck["series/drive_torque"].map((torque) => torque / 1e3), "torque of the motor");
+    const [index, rate] = (await plotted(page, "stickslip")).traces;
+    assert.equal(rate.x.length, stuck["series/time"].length);
+    // windows of 10 s, each of which holds a whole cycle of sticking and slipping
+    const last = index.y.filter((_, k) => index.x[k] > 45);
+    const found = stuck.attributes.stick_slip_index;
+    assert.ok(found > 1 && last.length > 50, `${found}, ${last.length}`);
+    const middle = index.x.length - 20;
+    const within = stuck["series/time"].flatMap((time, k) =>
+      Math.abs(time - index.x[middle]) < 5 ? [stuck["series/bit_rotation_rate"][k]] : []);
+    const mean = within.reduce((sum, one) => sum + one, 0) / within.length;
+    const expected = (Math.max(...within) - Math.min(...within)) / (2 * mean);
+    assert.ok(Math.abs(index.y[middle] - expected) < 0.01 * expected, `${index.y[middle]}, by hand ${expected}`);
+    const average = last.reduce((sum, one) => sum + one, 0) / last.length;
+    assert.ok(Math.abs(average - found) < 0.1 * found, `${average}, findings ${found}`);
+  });
 });
 
 test("a string without a well has a page without wall, contact and whirl", async () => {

@@ -12,7 +12,7 @@ with h5py.File(sys.argv[1]) as file:
     series, profiles = file["series"], file["profiles"]
     numbers = {name: values.tolist() for name, values in group.items()}
     for name in ["head_stress", "bit_stress", "head_rotation_rate", "bit_rotation_rate", "hook_load", "surface_torque",
-                 "weight_on_bit", "bit_torque", "step_size",
+                 "drive_torque", "weight_on_bit", "bit_torque", "step_size",
                  "max_penetration", "helix_penetration", "contact_nodes", "whirl_backward", "whirl_forward", "whirl_rate",
                  "rolling_rate", "wall_drag", "kinetic_energy", "rotation_energy", "work"]:
         numbers["series/" + name] = series[name][...].tolist()
@@ -35,6 +35,6 @@ with h5py.File(sys.argv[1]) as file:
             for k in wanted
         }
     numbers["findings"] = list(file.attrs["findings"])
-    numbers["attributes"] = {name: file.attrs[name] for name in ["status", "energy_residual", "title"]}
+    numbers["attributes"] = {name: file.attrs[name] for name in ["status", "energy_residual", "title", "stick_slip_index"]}
 
 json.dump(numbers, sys.stdout)

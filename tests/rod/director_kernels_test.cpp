@@ -266,6 +266,9 @@ constexpr const char* wall =
     "[contact]\nnormal_stiffness = 1e6\nnormal_damping = 1e4\ntangential_stiffness = 1e5\n";
 constexpr const char* impacts =
     "[contact]\nnormal_stiffness = 1e6\nrestitution = 0.7\ntangential_stiffness = 1e5\n";
+constexpr const char* hertz =
+    "[contact]\nnormal_law = \"hertz\"\nnormal_stiffness = 5e6\nhunt_crossley = 0.8\n"
+    "tangential_stiffness = 1e5\n";
 constexpr const char* pairs =
     "[damping]\ninternal_translation = 3\ninternal_rotation = 0.3\nexternal_translation = 200\n"
     "external_rotation = 20\n";
@@ -332,6 +335,13 @@ INSTANTIATE_TEST_SUITE_P(
                 std::string(wall) + "law = \"paper\"\n", true},
         Variant{"ImpactsOnAVariedWallInMud", 37, false, true, std::string(impacts) + laminar_mud,
                 true},
+        Variant{"HertzsWall", 37, false, true, hertz},
+        Variant{"HertzsWallThatPulls", 37, false, true, std::string(hertz) + "tension = true\n"},
+        Variant{"HertzsWallAndFrictionThatFallsWithSpeed", 37, false, true,
+                std::string(hertz) + "stribeck_speed = 0.5\n" + inertial_mud},
+        Variant{"HertzsVariedWall", 37, false, true, hertz, true},
+        Variant{"HertzsVariedWallInMudDamped", 37, true, true,
+                std::string(hertz) + laminar_mud + damped, true},
         Variant{"Everything", 50, true, true, std::string(wall) + mud + damped},
         Variant{"EverythingByThePapersLaw", 50, true, true,
                 std::string(wall) + "law = \"paper\"\n" + mud + damped}),

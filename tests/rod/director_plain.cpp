@@ -249,6 +249,26 @@ Vector3d shared_with_fluid(const Vector3d& after, const Vector3d& before, const 
     return after - fluid / (mass + fluid) * across(after - before, along);
 }
 
+/// The wall's spring where a node is: its force (N/m), what it adds against the speed toward the
+/// axis (Pa s), its energy (J/m).
+struct PlainSpring {
+    double force, resistance, energy;
+};
+
+/// `stiffness` of a wall of firmness 1; `inertia` of the node on the way that the wall leans.
+PlainSpring plain_spring(const Scene& scene, const PlainWall& wall, double stiffness, double depth,
+                         double kick, double inertia) {
+    const double firm = wall.firmness * stiffness;
+    if (scene.contact.normal_law == NormalLaw::linear)
+        return {firm * depth, kick * firm, firm * depth * depth / 2};
+    const double force = firm * std::pow(depth, 1.5);
+    const double tangent = 1.5 * firm * std::sqrt(depth);
+    const double swing = tangent * kick * kick / inertia;
+    const double resistance =
+        scene.contact.hunt_crossley * force + swing / (2 + swing) * kick * tangent;
+    return {force, resistance, 0.4 * firm * std::pow(depth, 2.5)};
+}
+
 /// Normal force of a wall with restitution `e` on a node that would move toward the axis with
 /// `star` after all other forces and came toward the wall with `coming`; `pressed`: by spring and
 /// dashpot.
@@ -333,17 +353,18 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         const FrictionParameters friction =
             plain_friction(contact, std::hypot(last.velocity.dot(frame.col(1)),
                                                last.velocity.dot(frame.col(2)) + pipe * last.spin));
-        const double stiffness = wall.firmness * scene.normal_stiffness[k];
-        const double resistance = wall.damping * scene.normal_damping[k] + kick * stiffness;
         const double inertia = 1 / (1 / sideways + wall.lean * wall.lean / along);
+        const PlainSpring spring =
+            plain_spring(scene, wall, scene.normal_stiffness[k], depth, kick, inertia);
+        const double resistance = wall.damping * scene.normal_damping[k] + spring.resistance;
         const double inward = u[0] + wall.lean * u[1];
-        const double softer = -0.5 * wall.firming * scene.normal_stiffness[k] * depth * depth;
+        const double softer = -spring.energy * wall.firming / wall.firmness;
         // what a straight step needs to stay at its distance from the axis
         const double way = std::min(drift * std::abs(u[2]), eccentricity);
         const double circling = std::abs(u[2]) * way /
                                 (eccentricity + std::sqrt(eccentricity * eccentricity - way * way));
-        double normal = (stiffness * depth - resistance * (inward - circling)) /
-                        (1 + resistance * kick / inertia);
+        double normal =
+            (spring.force - resistance * (inward - circling)) / (1 + resistance * kick / inertia);
         if (!scene.contact.tension) normal = std::max(normal, 0.0);
         if (scene.contact.restitution)
             normal = normal_of_impact(*scene.contact.restitution, normal,
@@ -358,8 +379,8 @@ Vector3d surround(const Scene& scene, std::size_t k, double kick, double drift,
         const FrictionStep rub = scene.contact.law == FrictionLaw::coulomb
                                      ? coulomb_step(node.spring, star, normal, depth, rolled, pipe,
                                                     kick, mobility, friction)
-                                     : paper_step(node.spring, star, stiffness * depth, depth,
-                                                  rolled, pipe, kick, mobility, friction);
+                                     : paper_step(node.spring, star, spring.force, depth, rolled,
+                                                  pipe, kick, mobility, friction);
         account.impacts += node.depth <= 0 ? 1 : 0;
         account.slips += rub.spring.sliding > node.spring.sliding ? 1 : 0;
         node.spring = rub.spring;

@@ -185,6 +185,21 @@ TEST(Penetration, OfAHelixIsTheClearanceTimesQOverOneLessQ) {
     EXPECT_NEAR(helix_penetration(pipe.scene(), pipe.contacts(), pushed(1e9)), most, 1e-12);
 }
 
+TEST(Penetration, OfAHelixInHertzsWallIsThatOfItsSideForce) {
+    const Pipe pipe;
+    Scene scene = pipe.scene();
+    constexpr double stiffness = 1e9;  // Pa/m^0.5
+    scene.contact.normal_law = NormalLaw::hertz;
+    scene.normal_stiffness.assign(nodes, stiffness);
+    const double bending = 200e9 * M_PI / 64 * (std::pow(0.14, 4) - std::pow(0.12, 4));
+    for (const double load : {1e3, 1e5, 1e7}) {
+        const double depth = helix_penetration(scene, pipe.contacts(), pushed(load));
+        const double side_force = load * load * (clearance + depth) / (4 * bending);
+        EXPECT_NEAR(stiffness * std::pow(depth, 1.5), side_force, 1e-9 * side_force) << load;
+    }
+    EXPECT_NEAR(helix_penetration(scene, pipe.contacts(), pushed(1e9)), 10 * clearance, 1e-12);
+}
+
 TEST(Penetration, OfAHelixNeedsACompression) {
     const Pipe pipe;
     EXPECT_EQ(helix_penetration(pipe.scene(), pipe.contacts(), pushed(-1e6)), 0);

@@ -227,8 +227,19 @@ Case assembly(const std::string& more) {
     return input;
 }
 
-TEST(LocalSteps, HoldAnEquilibriumAsStaticsFindIt) {
-    const Case input = assembly("[run]\nduration = 5\n");
+constexpr const char* hertzs_wall = "[contact]\nnormal_law = \"hertz\"\n";
+
+class LocalStepsOn : public testing::TestWithParam<const char*> {
+  protected:
+    [[nodiscard]] static Case assembly_on_the_wall(const std::string& more) {
+        return assembly(more + GetParam());
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Walls, LocalStepsOn, testing::Values("", hertzs_wall),
+                         [](const auto& wall) { return *wall.param == '\0' ? "Linear" : "Hertz"; });
+
+TEST_P(LocalStepsOn, HoldAnEquilibriumAsStaticsFindIt) {
+    const Case input = assembly_on_the_wall("[run]\nduration = 5\n");
     const Scene scene = starting_scene(input);
     const StepPlan plan = step_plan(scene);
     ASSERT_FALSE(plan.stretches.empty());
@@ -259,8 +270,8 @@ constexpr const char* drilling = R"(
     interval = 0.01
     )";
 
-TEST(LocalSteps, AccountForTheEnergyOfAStringThatDrills) {
-    const test::Run drills = run(assembly(drilling));
+TEST_P(LocalStepsOn, AccountForTheEnergyOfAStringThatDrills) {
+    const test::Run drills = run(assembly_on_the_wall(drilling));
     EnergyAudit audit;
     for (const SeriesRecord& record : drills.series)
         audit.add(record.energy);
@@ -268,8 +279,8 @@ TEST(LocalSteps, AccountForTheEnergyOfAStringThatDrills) {
     EXPECT_LT(std::abs(audit.residual()), 1e-3);
 }
 
-TEST(LocalSteps, DrillAsOneSmallStepForAllDoes) {
-    Case input = assembly(drilling);
+TEST_P(LocalStepsOn, DrillAsOneSmallStepForAllDoes) {
+    Case input = assembly_on_the_wall(drilling);
     struct Drilled {
         double hook_load = 0, torque = 0, contacts = 0, deepest = 0;
     };

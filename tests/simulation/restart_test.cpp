@@ -79,6 +79,10 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.fluid->flow_rate = 0.03;
     }
     if (scenario.name == "Bouncing") input.contact.restitution = 0.8;
+    if (scenario.name == "HertzsWall" && kind == IntegratorKind::leapfrog) {
+        input.contact.normal_law = NormalLaw::hertz;
+        input.contact.normal_stiffness = 1e9;
+    }
     input.run.integrator = kind;
     if (scenario.name == "SlippingBit" && kind == IntegratorKind::leapfrog) {
         input.bit.law = BitLaw::stribeck;
@@ -150,6 +154,7 @@ const std::vector<Scenario> scenarios = {
     {"PinnedHead", pipe_in_well("")},
     {"Hoist", pipe_in_well("")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
+    {"HertzsWall", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(
         [[string.component]]
         length = 24

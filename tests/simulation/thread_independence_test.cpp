@@ -155,6 +155,12 @@ const std::vector<Feature> features = {
      }},
     {"DashpotThatPulls", [](Case& input) { input.contact.tension = true; }},
     {"Restitution", [](Case& input) { input.contact.restitution = 0.5; }},
+    {"HertzsWall",
+     [](Case& input) {
+         if (input.run.integrator != IntegratorKind::leapfrog) return;
+         input.contact.normal_law = NormalLaw::hertz;
+         input.contact.normal_stiffness = 1e9;
+     }},
     {"BentPipe",
      [](Case& input) {
          input.string.components[0].curvature = {0.002, 0.004, -0.003};

@@ -32,7 +32,7 @@ std::vector<WellSectionCase> casing_and_open_hole() {
     return {casing, open};
 }
 
-Scene trial_scene(bool follower, bool well, bool varied_wall) {
+Scene trial_scene(bool follower, bool well, bool varied_wall, NormalLaw law = NormalLaw::linear) {
     const std::string own = "curvature = [0.1, 0.2, -0.3]";
     Case input = test::case_from(test::rod({6, 1.3, 0.9, 2.1, 1.7}, own) + test::mesh(6) +
                                  "[head]\ndirection = [0.1, 0.2, 1]\n"
@@ -44,6 +44,7 @@ Scene trial_scene(bool follower, bool well, bool varied_wall) {
     if (well) {
         input.well = test::well_through({{0, 0.1, 0}, {3, 0.5, 0.4}, {9, 1.4, 1.0}}, 0.3);
         if (varied_wall) input.well->sections = casing_and_open_hole();
+        input.contact.normal_law = law;
         input.bit.direction = follower ? BitDirection::follower : BitDirection::well;
     }
     return build_scene(input);
@@ -86,7 +87,8 @@ TEST(StaticTangent, IsTheDerivativeOfTheForcesWithWallFrictionAndFollowingLoads)
     for (unsigned seed = 1; seed <= 20; ++seed) {
         Dice dice(seed);
         const bool well = seed % 4 != 0;
-        const Scene scene = trial_scene(seed % 2 == 0, well, seed % 3 == 1);
+        const NormalLaw law = seed % 5 < 2 ? NormalLaw::hertz : NormalLaw::linear;
+        const Scene scene = trial_scene(seed % 2 == 0, well, seed % 3 == 1, law);
         const RodState state = bent_state(scene, dice, 0.2);
         Balance balance(scene, trial_loads());
         BlockTridiagonal stiffness(state.twist.size());
@@ -166,7 +168,8 @@ TEST(StaticForces, AreThoseWithWhichTheLeapfrogSetsOffFromRest) {
     constexpr double instant = 1e-9;  // s; sections of that rod turn with some 1e3 rad/s
     for (unsigned seed = 1; seed <= 12; ++seed) {
         Dice dice(seed);
-        Scene scene = trial_scene(seed % 2 == 0, seed % 3 != 0, seed % 3 == 1);
+        const NormalLaw law = seed % 5 < 2 ? NormalLaw::hertz : NormalLaw::linear;
+        Scene scene = trial_scene(seed % 2 == 0, seed % 3 != 0, seed % 3 == 1, law);
         scene.contact.tangential_stiffness = 1e-9;
         const RodState state = bent_state(scene, dice, 0.2);
         LoadCase loads;  // at rest, with the loads of time 0

@@ -236,12 +236,13 @@ constexpr double inclination = pi / 3;
 constexpr double length = 300;
 constexpr double friction = 0.3;
 constexpr int segments = 60;
-constexpr double wall = 1e7;  // Pa
+constexpr double wall = 1e7;        // Pa
+constexpr double hertz_wall = 1e9;  // Pa/m^0.5
 
 /// A pipe in a straight inclined well of 0.22 m that lies on the wall, `climb` up from its low side
 /// against positive rotation, from head to bit: the exact state is straight.
 struct InclinedPipe {
-    explicit InclinedPipe(double climb)
+    explicit InclinedPipe(double climb, NormalLaw law = NormalLaw::linear)
         : along(std::sin(inclination), 0, std::cos(inclination)),
           up(std::cos(inclination), 0, -std::sin(inclination)) {
         Case input = test::case_from(test::table_3_pipe(length) + test::mesh(segments) +
@@ -250,11 +251,13 @@ struct InclinedPipe {
         normal = weight * std::sin(inclination) * std::cos(climb);
         const Vector3d toward_axis = std::cos(climb) * up - std::sin(climb) * along.cross(up);
         input.well = test::well_through({{0, inclination, 0}, {1000, inclination, 0}}, 0.22);
-        input.contact.normal_stiffness = wall;
+        input.contact.normal_law = law;
+        input.contact.normal_stiffness = law == NormalLaw::hertz ? hertz_wall : wall;
         input.contact.static_friction = {friction, friction};
         input.contact.dynamic_friction = {friction, friction};
         input.bit.direction = BitDirection::well;
-        input.head.position = -(0.04 + normal / wall) * toward_axis;
+        depth = law == NormalLaw::hertz ? std::pow(normal / hertz_wall, 2.0 / 3) : normal / wall;
+        input.head.position = -(0.04 + depth) * toward_axis;
         scene = build_scene(input);
     }
 
@@ -272,6 +275,7 @@ struct InclinedPipe {
     Vector3d along, up;
     double weight = 0;  // N/m
     double normal = 0;  // N/m
+    double depth = 0;   // m
     Scene scene;
 };
 
@@ -284,6 +288,19 @@ TEST(InclinedPipe, AtRestHangsOnTheHeadWithTheWeightAlongTheWellLessTheBits) {
     EXPECT_NEAR(found.surface_torque, 0, exact);
     EXPECT_EQ(found.series.contact_nodes, segments + 1);
     EXPECT_NEAR(found.profile.normal_force.back(), pipe.normal, 1e-6 * pipe.normal);
+}
+
+TEST(InclinedPipe, LiesInHertzsWallAtTheDepthOfItsWeightAndRubsAsInAnother) {
+    const InclinedPipe pipe(0, NormalLaw::hertz);
+    const Equilibrium rest = pipe.moving({}, true);
+    EXPECT_NEAR(rest.hook_load, pipe.axial_weight() - 2e4, exact);
+    EXPECT_NEAR(rest.series.max_penetration, pipe.depth, 1e-6 * pipe.depth);
+    EXPECT_NEAR(rest.profile.normal_force.back(), pipe.normal, 1e-6 * pipe.normal);
+    const Equilibrium out = pipe.moving(steady_motion(StringMotion::tripping_out, 0), false);
+    EXPECT_NEAR(out.hook_load, pipe.axial_weight() + friction * pipe.wall_force(), exact);
+    const InclinedPipe climbed(std::atan(friction), NormalLaw::hertz);
+    const Equilibrium turned = climbed.moving(steady_motion(StringMotion::rotating, 10), true);
+    EXPECT_NEAR(turned.surface_torque, 500 + 0.07 * friction * climbed.wall_force(), exact);
 }
 
 TEST(InclinedPipe, TrippingAddsOrTakesFrictionAndLeavesTheBitAlone) {

@@ -27,6 +27,9 @@ Eigen::Vector3d low_side(double inclination);
 /// segment under equal loads at both ends moves as a rigid body. No fluid; g = 9.81 m/s2.
 Case short_pipe(IntegratorKind integrator, double inclination);
 
+/// How deep a load (N/m) presses the pipe into the wall (m).
+double depth_under(double load, const ContactCase& contact);
+
 /// Lays the pipe on the low side of the well, in the wall as deep as its weight presses it.
 void lay_down(Case& input, double inclination);
 
@@ -41,6 +44,13 @@ Case hanging_casing(IntegratorKind integrator, const FluidCase& fluid);
 
 /// Pushes a pipe at rest to the East within 0.1 s, to a momentum per length (kg/s).
 void push_east(Case& input, double momentum);
+
+/// A pipe without weight and friction that a push of 0.1 s sends from the axis of a vertical well
+/// to the East at this speed (m/s); both ends reach the wall in the same step.
+Case thrown_pipe(IntegratorKind integrator, double speed);
+
+/// Speed of such a pipe toward East, d1 (m/s).
+double speed_east(const Profile& profile);
 
 /// From 0 to 1 without corners between two times.
 double smooth_step(double time, double begin, double end);

@@ -230,14 +230,32 @@ void print_fluid(const Scene& scene) {
     }
 }
 
+std::string wall_text(const ContactCase& contact) {
+    const std::string stiffness = fmt::format("{:.4g} Pa", contact.normal_stiffness);
+    if (contact.normal_law == NormalLaw::hertz)
+        return fmt::format("Hertz's law, {}/m^0.5, damping {:.3g} s/m", stiffness,
+                           contact.hunt_crossley);
+    return contact.restitution
+               ? fmt::format("{}, restitution {:.3g}", stiffness, *contact.restitution)
+               : fmt::format("{}, damping {:.4g} Pa s", stiffness, contact.normal_damping);
+}
+
+/// Whether a section of the well has friction of its own.
+bool friction_varies(const Scene& scene) {
+    const auto same = [](const FrictionCoefficients& a, const FrictionCoefficients& b) {
+        return a.axial == b.axial && a.azimuthal == b.azimuthal;
+    };
+    return std::any_of(scene.section_friction.begin(), scene.section_friction.end(),
+                       [&](const SectionFriction& section) {
+                           return !same(section.fixed, scene.contact.static_friction) ||
+                                  !same(section.slide, scene.contact.dynamic_friction);
+                       });
+}
+
 void print_contact(const Scene& scene) {
     if (!scene.features.well) return;
     const ContactCase& contact = scene.contact;
-    line("contact", contact.restitution
-                        ? fmt::format("{:.4g} Pa, restitution {:.3g}", contact.normal_stiffness,
-                                      *contact.restitution)
-                        : fmt::format("{:.4g} Pa, damping {:.4g} Pa s", contact.normal_stiffness,
-                                      contact.normal_damping));
+    line("contact", wall_text(contact));
     if (scene.bit.contact_length > 0) {
         line("wall at the bit",
              fmt::format("{:.4g} m more than the cell of its node", scene.bit.contact_length));
@@ -245,7 +263,7 @@ void print_contact(const Scene& scene) {
     line("friction",
          fmt::format("law {}, {}{}", contact.law == FrictionLaw::paper ? "paper" : "coulomb",
                      friction_text(contact.static_friction, contact.dynamic_friction),
-                     scene.features.varied_wall ? ", where a section has none of its own" : "") +
+                     friction_varies(scene) ? ", where a section has none of its own" : "") +
              (contact.stribeck_speed > 0
                   ? fmt::format(", falling over {:.3g} m/s", contact.stribeck_speed)
                   : ""));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "drillstrand/energy_audit.hpp"
@@ -56,6 +57,16 @@ void add_energy(const Records& series, const Indices& picks, ArrayBlock& arrays)
     for (const std::size_t k : picks)
         picked.push_back(residuals[k]);
     arrays.add("series/energy_residual", picked);
+}
+
+/// Torque of the motor, where a drive stands between it and the string: else it is the surface's.
+void add_drive_torque(const Records& series, const Indices& picks, ArrayBlock& arrays) {
+    const bool driven = std::any_of(series.begin(), series.end(), [](const SeriesRecord& record) {
+        return record.drive_torque != record.surface_torque;
+    });
+    if (driven)
+        add("series/drive_torque", series, picks, arrays,
+            [](const SeriesRecord& record) { return record.drive_torque; });
 }
 
 /// How far the bit went along the direction that it had in the first profile.
@@ -119,6 +130,7 @@ void add_series(const Result& result, ArrayBlock& arrays, std::vector<std::strin
     };
     one("series/hook_load", &R::hook_load);
     one("series/surface_torque", &R::surface_torque);
+    add_drive_torque(series, picks, arrays);
     one("series/weight_on_bit", &R::weight_on_bit);
     one("series/bit_torque", &R::bit_torque);
     one("series/head_rate", &R::head_rotation_rate);

@@ -109,22 +109,28 @@ function spectrumPlot(channel, interval, size) {
   return { traces: [heat, line], layout };
 }
 
-/** (greatest - least rate of the bit) / (2 mean rate of the top), in a window around each time. */
+const leastRotation = 0.1;  // rad/s: what is slower does not rotate
+
+/**
+ * (greatest - least rate of the bit) / (2 mean rate of the bit), positive with the top, in a window around
+ * each time: as the findings have it. None where the bit hardly turns.
+ */
 function stickSlipIndex(time, bit, head, window) {
+  const mean = (rates, from, to) => rates.subarray(from, to).reduce((sum, rate) => sum + rate, 0) / (to - from);
   const result = { time: [], index: [] };
   const count = Math.min(600, time.length);
   for (let k = 0; k < count; ++k) {
     const middle = time[0] + ((time[time.length - 1] - time[0]) * (k + 0.5)) / count;
-    let [from, to] = [lowerBound(time, middle - window / 2), lowerBound(time, middle + window / 2)];
+    const [from, half, to] = [-0.5, 0, 0.5].map((part) => lowerBound(time, middle + part * window));
     if (time[to - 1] - time[from] < 0.8 * window) continue;
+    // Where the top hardly turns, or goes over to another rate, the ratio says nothing.
+    const top = mean(head, from, to);
+    const change = Math.abs(mean(head, half, to) - mean(head, from, half));
+    if (Math.abs(top) < leastRotation || change > 0.2 * Math.abs(top)) continue;
     const [least, most] = extremes(bit.subarray(from, to));
-    let mean = 0;
-    for (let i = from; i < to; ++i) mean += Math.abs(head[i]) / (to - from);
-    // Where the top hardly turns, or changes its rate, the ratio says nothing.
-    const [slowest, fastest] = extremes(head.subarray(from, to));
-    if (mean < 0.6 || fastest - slowest > 0.2 * mean) continue;
+    const forward = Math.sign(top) * mean(bit, from, to);
     result.time.push(middle);
-    result.index.push((most - least) / (2 * mean));
+    result.index.push(forward < leastRotation ? NaN : (most - least) / (2 * forward));
   }
   return result;
 }
@@ -147,8 +153,8 @@ function addStickSlip() {
   const { time: middle, index } = stickSlipIndex(time, array("dense/bit_rate"), array("dense/head_rate"), window);
   if (index.length < 2) return;
   const section = addSection("stickslip", "Stick-slip",
-    `Stick-slip index: half the range of the bit's rate of rotation over the mean rate of the top, in a sliding window of ${digits(window, 3)} s ` +
-    "in which the top turns steadily. From 1 on (the dotted line) the bit stands still for moments.");
+    `Stick-slip index: half the range of the bit's rate of rotation over its mean, as in the findings, in a sliding window of ${digits(window, 3)} s ` +
+    "in which the top keeps its rate. From 1 on (the dotted line) the bit stands still for moments.");
   addPlot(section, "stickslip", () => {
     const plot = stripPlot([
       { title: "Stick-slip index", quantity: "count", lines: [{ name: "", values: Float64Array.from(index), time: middle, colour: 1 }] },

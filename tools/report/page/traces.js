@@ -11,11 +11,16 @@ function measuredLines(channel) {
     }));
 }
 
+/** The torque of the motor, where a drive stands between it and the string. */
+const driveLines = () =>
+  has("series/drive_torque") ? [{ name: "of the motor", values: series("drive_torque"), colour: 2 }] : [];
+
 function addTraces() {
   if (!has("series/time")) return;
   const section = addSection("traces", "Traces",
     "What the driller sees at the top, and what goes on at the bit. The hook load is what holds the head; a torque is " +
-    "positive where the drive turns the string, or the rock holds the bit, against positive rotation, clockwise seen from above.");
+    "positive where the drive turns the string, or the rock holds the bit, against positive rotation, clockwise seen from above." +
+    (has("series/drive_torque") ? " The drive's motor turns the drive's own inertia, too." : ""));
   addPlot(section, "traces", () => {
     const plot = stripPlot([
       { title: "Hook load", quantity: "force",
@@ -23,7 +28,7 @@ function addTraces() {
       { title: "Weight on bit", quantity: "force", lines: [{ name: "", values: series("weight_on_bit"), colour: 1 }] },
       { title: "Torque", quantity: "moment",
         lines: [{ name: "at the surface", values: series("surface_torque") },
-          { name: "at the bit", values: series("bit_torque"), colour: 1 }, ...measuredLines("torque")] },
+          { name: "at the bit", values: series("bit_torque"), colour: 1 }, ...driveLines(), ...measuredLines("torque")] },
       { title: "Rotation", quantity: "rotation",
         lines: [{ name: "of the bit", values: series("bit_rate"), colour: 1 },
           { name: "of the top", values: series("head_rate") }] },
