@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "model/survey.hpp"
 #include "statics/arc_section.hpp"
 #include "statics/buckling_limits.hpp"
+#include "statics/in_parallel.hpp"
 #include "statics/tripped_string.hpp"
 
 namespace drillstrand {
@@ -320,23 +320,6 @@ void check(const Case& input) {
         throw InputError(where,
                          "head.direction is not that of the well at its start, along which torque "
                          "and drag hang the string; leave it out");
-}
-
-/// Calls `action` with every number below `count`, in parallel; the error of the least number,
-/// where there is one, passes through.
-template <class Action>
-void for_each_in_parallel(std::size_t count, int threads, const Action& action) {
-    std::vector<std::exception_ptr> errors(count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::size_t i = 0; i < count; ++i) {
-        try {
-            action(i);
-        } catch (...) {
-            errors[i] = std::current_exception();
-        }
-    }
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
 }
 
 void append(TorqueDragCurve& curve, double bit_depth, Answer answer) {
