@@ -223,11 +223,15 @@ void Balance::stiffness(const RodState& state, BlockTridiagonal& matrix) {
             matrix.lower[b] -= d.ba;
         }
         matrix.diagonal[b] -= d.bb;
-        if (scene_.well) matrix.diagonal[b] -= wall_tangent(site(state, k + 1));
+        if (scene_.well) matrix.diagonal[b] += wall_stiffness(state, k + 1);
         if (!mud_.empty()) matrix.diagonal[b].topLeftCorner<3, 3>() -= mud_tangent(state, k + 1);
     }
     if (first_ == 0) pin_head(state, matrix);
     matrix.diagonal.back() -= bit(state).tangent;
+}
+
+Matrix6 Balance::wall_stiffness(const RodState& state, std::size_t node) {
+    return -wall_tangent(site(state, node));
 }
 
 double Balance::hook_load(const RodState& state) const {

@@ -72,6 +72,8 @@ class Balance {
     [[nodiscard]] Imbalance imbalance(const RodState& state);
     /// Minus the derivative of the forces by the motion of the nodes.
     void stiffness(const RodState& state, BlockTridiagonal& matrix);
+    /// The same of the wall's force on one node alone.
+    [[nodiscard]] Matrix6 wall_stiffness(const RodState& state, std::size_t node);
 
     [[nodiscard]] BitLoad bit(const RodState& state);
     /// What holds and turns the head (Head::hook_load, Head::surface_torque).

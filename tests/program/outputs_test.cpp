@@ -74,6 +74,7 @@ TEST_F(Outputs, AnOlderResultIsReplacedOnlyWhereTheUserSaysSo) {
         {{"run", "well.toml", "-o", "run.h5"}, "run.h5"},
         {{"equilibrium", "well.toml", "-o", "rest.h5"}, "rest.h5"},
         {{"buckling", "pipe.toml", "-o", "modes.h5"}, "modes.h5"},
+        {{"modes", "well.toml"}, "well_modes.h5"},
         {{"torque-drag", "well.toml", "-o", "study.h5"}, "study.h5"},
         {{"torque-drag", "well.toml", "--csv", "study.csv"}, "study.csv"},
         {{"torque-drag", "well.toml", "--profile-csv", "profile.csv"}, "profile.csv"},
@@ -124,6 +125,7 @@ TEST_F(Outputs, AnInputIsNeverReplacedWhateverItIsCalled) {
     const std::vector<Command> commands = {{"run", "well.toml", "-o"},
                                            {"equilibrium", "well.toml", "-o"},
                                            {"buckling", "well.toml", "-o"},
+                                           {"modes", "well.toml", "-o"},
                                            {"torque-drag", "well.toml", "-o"},
                                            {"torque-drag", "well.toml", "--csv"},
                                            {"torque-drag", "well.toml", "--profile-csv"}};

@@ -6,6 +6,7 @@
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/isa.hpp"
+#include "drillstrand/modes_file.hpp"
 #include "drillstrand/version.hpp"
 
 namespace drillstrand {
@@ -103,7 +104,7 @@ TEST_F(Program, EveryCommandWarnsOfNumbersThatNobodyMeans) {
     const std::string warning =
         "heavy.toml:21:11: fluid.density is 9.8 kg/m3, no drilling fluid; did you mean \"9.8 "
         "ppg\"?";
-    for (const char* command : {"check", "buckling", "equilibrium", "run"}) {
+    for (const char* command : {"check", "buckling", "modes", "equilibrium", "run"}) {
         SCOPED_TRACE(command);
         const Ending ending = run({command, "heavy.toml"});
         EXPECT_EQ(ending.code, 0) << ending.err;
@@ -237,6 +238,61 @@ TEST_F(Program, BucklingAtALoadFindsTheUnstableShapesOfThePairsBelowIt) {
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->modes.empty());
     EXPECT_THAT(run({"info", "modes.h5"}).out, HasSubstr("0 unstable shapes"));
+}
+
+TEST_F(Program, ModesPrintsFrequenciesAndWritesThem) {
+    Ending ending = run({"modes", "pipe.toml", "--set", "gravity=0", "--number", "4"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(ending.err, "");
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("A pipe hangs and swings"), HasSubstr("frequency Hz"),
+                                  HasSubstr("lateral"), HasSubstr("pipe_modes.h5")));
+    const ModesResult result = read_modes(desk() / "pipe_modes.h5");
+    EXPECT_EQ(result.header.title, "A pipe hangs and swings");
+    EXPECT_EQ(result.grip, WallGrip::sticks);
+    ASSERT_EQ(result.modes.size(), 4U);
+    EXPECT_EQ(result.modes[0].displacement.size(), result.header.node_s.size());
+    EXPECT_TRUE(result.campbell.empty());
+    EXPECT_THAT(run({"info", "pipe_modes.h5"}).out,
+                AllOf(HasSubstr("/modes/displacement"), HasSubstr("mode 4")));
+
+    ending = run({"modes", "pipe.toml", "--set", "gravity=0", "--campbell", "0:120:60", "--orders",
+                  "1,3", "--bit-force", "10 kN", "--bit-order", "3", "-o", "range.h5"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("critical speed"), HasSubstr("displacement mm")));
+    const ModesResult range = read_modes(desk() / "range.h5");
+    EXPECT_EQ(range.campbell.size(), 30U);
+    EXPECT_EQ(range.response.size(), 3U);
+    EXPECT_EQ(range.grip, WallGrip::slides);
+    ASSERT_TRUE(range.excitation);
+    EXPECT_EQ(range.excitation->order, 3);
+    EXPECT_EQ(range.excitation->bit_force, 10e3);
+}
+
+TEST_F(Program, ModesThatCannotBeAreRefusedInOneLine) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
+        {{"--number", "25"}, "--number 25: a string of 8 segments can tell 24 modes"},
+        {{"--number", "0"}, "--number"},
+        {{"--rpm", "-1"}, "--rpm"},
+        {{"--campbell", "120"}, "--campbell 120: "},
+        {{"--campbell", "120:60"}, "FROM:TO"},
+        {{"--campbell", "0:60:0"}, "FROM:TO"},
+        {{"--campbell", "0:60:1e-6"}, "take a longer step"},
+        {{"--orders", "0"}, "--orders"},
+        {{"--bit-force", "10 m", "--rpm", "60"}, "--bit-force 10 m: "},
+        {{"--bit-force", "10 kN"}, "give --rpm"},
+        {{"--bit-force", "10 kN", "--unbalance", "--rpm", "60"}, "ask for one of them"},
+        {{"--unbalance", "--rpm", "60"}, "eccentric_mass"},
+        {{"-o", "pipe.toml"}, "that is the case file"},
+        {{"--set", "head.motion=free"}, "head.motion"}};
+    for (const auto& [options, words] : mistakes) {
+        std::vector<std::string> command = {"modes", "pipe.toml"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 2) << words;
+        EXPECT_THAT(ending.err, is_one_error(words));
+        EXPECT_EQ(ending.out, "");
+        EXPECT_THAT(files(), ElementsAre("pipe.toml"));
+    }
 }
 
 TEST_F(Program, BucklingSaysWhatItLeavesOut) {

@@ -132,6 +132,37 @@ TEST(Transfer, EveryMotionOfTorqueAndDragComesThrough) {
             EXPECT_EQ(entry.values(got.study.curves[0]), entry.values(curve)) << entry.name;
 }
 
+TEST(Transfer, EveryModeOfVibrationComesThrough) {
+    ModesResult sent;
+    sent.header = MadeUpRun(1).header();
+    sent.rotation_rate = 3;
+    sent.grip = WallGrip::slides;
+    sent.shape = {{2, Eigen::Vector3d(1, 2, 3)}, {2, Eigen::Vector3d(4, 5, 6)}, {7, 8}};
+    const std::vector<Eigen::Vector3d> motion(2, Eigen::Vector3d(7, 8, 9));
+    sent.modes = {{1, ModeKind::axial, 0.1, 0.2, 0.7, -1, 4, 5, motion, motion, motion, motion}};
+    sent.campbell = {{1, 2, ModeKind::torsional, 0.5}};
+    sent.critical_speeds = {{6, 2, ModeKind::axial, -0.5}};
+    sent.excitation = Excitation{3, true, 4, 5};
+    sent.response = {{1, 2, 1, {3, 4}, {5, 6}, {7, 8}, {9}, {10}, {11}}};
+    const ModesResult got = through_a_pipe(sent);
+    EXPECT_EQ(got.rotation_rate, 3);
+    EXPECT_EQ(got.grip, WallGrip::slides);
+    expect_same_bits(got.shape, sent.shape, static_shape_datasets());
+    ASSERT_EQ(got.modes.size(), 1U);
+    expect_same_bits(got.modes[0], sent.modes[0], mode_datasets());
+    ASSERT_EQ(got.campbell.size(), 1U);
+    expect_same_bits(got.campbell[0], sent.campbell[0], campbell_datasets());
+    ASSERT_EQ(got.critical_speeds.size(), 1U);
+    expect_same_bits(got.critical_speeds[0], sent.critical_speeds[0], critical_speed_datasets());
+    ASSERT_TRUE(got.excitation);
+    EXPECT_EQ(got.excitation->order, 3);
+    EXPECT_TRUE(got.excitation->unbalance);
+    EXPECT_EQ(got.excitation->bit_force, 4);
+    EXPECT_EQ(got.excitation->bit_torque, 5);
+    ASSERT_EQ(got.response.size(), 1U);
+    expect_same_bits(got.response[0], sent.response[0], response_datasets());
+}
+
 /// A list that claims more than follows: what reads it neither waits nor takes memory for it.
 TEST(Transfer, EveryRowOfACheckpointComesThrough) {
     Checkpoint sent;

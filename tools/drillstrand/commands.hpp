@@ -56,6 +56,23 @@ struct BucklingOptions {
 
 int buckling(const BucklingOptions& options);
 
+struct ModesCommand {
+    std::filesystem::path case_path;
+    std::filesystem::path output;  ///< empty: the case's stem + _modes.h5 in the working directory
+    std::size_t number = 10;
+    std::optional<double> rpm;  ///< at which the string turns; none: as the case's equilibrium does
+    std::string campbell;       ///< rates in rpm, "FROM:TO" or "FROM:TO:STEP"; empty: none
+    std::vector<double> orders;       ///< of critical speeds; none: those of the bit
+    bool unbalance = false;           ///< response to eccentric masses
+    std::string bit_force;            ///< amplitude with its unit; empty: none
+    std::string bit_torque;           ///< amplitude with its unit; empty: none
+    std::optional<double> bit_order;  ///< of these two; none: that of the bit
+    Overrides overrides;
+    bool overwrite = false;
+};
+
+int modes(const ModesCommand& command);
+
 struct EquilibriumCommand {
     std::filesystem::path case_path;
     std::filesystem::path output;  ///< empty: no file

@@ -28,24 +28,6 @@ void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... p
     fmt::print("  {:<12} {}\n", name, fmt::format(text, std::forward<Parts>(parts)...));
 }
 
-std::string_view motion_word(StringMotion motion) {
-    switch (motion) {
-        case StringMotion::rotating:
-            return "rotating";
-        case StringMotion::drilling:
-            return "drilling";
-        case StringMotion::tripping_in:
-            return "tripping in";
-        case StringMotion::tripping_out:
-            return "tripping out";
-        case StringMotion::sliding:
-            return "sliding";
-        case StringMotion::rest:
-            break;
-    }
-    return "at rest, without friction";
-}
-
 /// Where the bit is, with which weight.
 std::string bottom_text(StringMotion motion, double weight_on_bit) {
     const bool rests_off = motion == StringMotion::rest && weight_on_bit == 0;

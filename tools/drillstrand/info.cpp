@@ -169,6 +169,25 @@ void print_contents(const TorqueDragResult& result) {
             fmt::print("  {:<24} {} ({})\n", entry.name, entry.description, entry.units);
 }
 
+void print_contents(const ModesResult& result) {
+    fmt::print("  holds            modes of vibration about the static state\n");
+    print_maker(result.version, result.commit);
+    fmt::print("  segments         {}, string of {:.6g} m\n", result.header.segment_s.size(),
+               result.header.node_s.back());
+    fmt::print("  turning          {:.6g} rad/s\n", result.rotation_rate);
+    for (std::size_t k = 0; k < result.modes.size(); ++k)
+        fmt::print("  mode {:<11} {:.10g} rad/s, {}\n", k + 1, result.modes[k].frequency,
+                   mode_kind_name(result.modes[k].kind));
+    fmt::print("  Campbell         {} points, {} critical speeds\n", result.campbell.size(),
+               result.critical_speeds.size());
+    fmt::print("  response         {} rates\n", result.response.size());
+    print_datasets(static_shape_datasets());
+    print_datasets(mode_datasets());
+    if (!result.campbell.empty()) print_datasets(campbell_datasets());
+    if (!result.critical_speeds.empty()) print_datasets(critical_speed_datasets());
+    if (!result.response.empty()) print_datasets(response_datasets());
+}
+
 }  // namespace
 
 int info(const std::filesystem::path& result_path) {

@@ -58,14 +58,15 @@ class CommandLine {
         add_run();
         add_check();
         add_buckling();
+        add_modes();
         add_equilibrium();
         add_torque_drag();
         add_calibrate();
         add_report();
         add_export();
         add_info();
-        for (CLI::App* command : {run_, check_, buckling_, equilibrium_, torque_drag_, calibrate_,
-                                  report_, export_, info_})
+        for (CLI::App* command : {run_, check_, buckling_, modes_, equilibrium_, torque_drag_,
+                                  calibrate_, report_, export_, info_})
             command->set_version_flag("--version", app_.version());
     }
 
@@ -86,6 +87,7 @@ class CommandLine {
         if (run_->parsed()) return start_run();
         if (check_->parsed()) return check({case_path_, parse_overrides(overrides_)});
         if (buckling_->parsed()) return start_buckling();
+        if (modes_->parsed()) return start_modes();
         if (equilibrium_->parsed())
             return equilibrium({case_path_, output_, parse_overrides(overrides_), overwrite_});
         if (torque_drag_->parsed())
@@ -135,7 +137,7 @@ class CommandLine {
             "buckling", "Print the critical loads of the straight string, clamped at the head");
         buckling_->add_option("CASE.toml", case_path_, "The case with the string")->required();
         buckling_
-            ->add_option("--modes", modes_,
+            ->add_option("--modes", buckling_modes_,
                          "Number of modes, which come in pairs of one load; default: six, or all "
                          "where there are fewer")
             ->check(CLI::Range(1, 1000000))
@@ -153,6 +155,57 @@ class CommandLine {
             ->type_name("OUT.h5");
         add_overrides(*buckling_);
         add_overwrite(*buckling_);
+    }
+
+    void add_modes() {
+        modes_ = app_.add_subcommand(
+            "modes", "Print how the string vibrates about its static state, and write its modes");
+        modes_->add_option("CASE.toml", case_path_, "The case with the string")->required();
+        modes_->add_option("--number", vibration_.number, "Number of modes; default: 10")
+            ->check(CLI::Range(1, 1000000))
+            ->type_name("N");
+        modes_
+            ->add_option("--rpm", vibration_.rpm,
+                         "Rate at which the string turns; default: that of the case's equilibrium")
+            ->check(CLI::Range(0.0, 100000.0))
+            ->type_name("RPM");
+        modes_
+            ->add_option("--campbell", vibration_.campbell,
+                         "Also frequencies over a range of rates, and critical speeds, as in "
+                         "0:200:10; default: none")
+            ->type_name("FROM:TO[:STEP]");
+        modes_
+            ->add_option("--orders", vibration_.orders,
+                         "Orders of critical speeds, as in 1,3,6; default: 1 and that of the bit's "
+                         "blades or cones")
+            ->delimiter(',')
+            ->check(CLI::Range(0.001, 1000.0))
+            ->type_name("N,N,...");
+        modes_->add_flag("--unbalance", vibration_.unbalance,
+                         "Also the response to the string's eccentric masses, at --rpm or over the "
+                         "range of --campbell");
+        modes_
+            ->add_option("--bit-force", vibration_.bit_force,
+                         "Also the response to a force along the bit of this amplitude, as in "
+                         "\"10 kN\"; default: none")
+            ->type_name("FORCE");
+        modes_
+            ->add_option("--bit-torque", vibration_.bit_torque,
+                         "Also the response to a torque about the bit of this amplitude, as in "
+                         "\"1 kN m\"; default: none")
+            ->type_name("TORQUE");
+        modes_
+            ->add_option("--bit-order", vibration_.bit_order,
+                         "Order of these two; default: that of the bit's blades or cones, or 1")
+            ->check(CLI::Range(0.001, 1000.0))
+            ->type_name("N");
+        modes_
+            ->add_option("-o,--output", output_,
+                         "Result file; default: the case's name with _modes.h5, in the working "
+                         "directory")
+            ->type_name("OUT.h5");
+        add_overrides(*modes_);
+        add_overwrite(*modes_);
     }
 
     void add_equilibrium() {
@@ -278,12 +331,20 @@ class CommandLine {
         BucklingOptions options;
         options.case_path = case_path_;
         options.output = output_;
-        if (modes_ > 0) options.modes = static_cast<std::size_t>(modes_);
+        if (buckling_modes_ > 0) options.modes = static_cast<std::size_t>(buckling_modes_);
         options.at_load = at_load_;
         if (paper_) options.discretisation = Discretisation::paper;
         options.overrides = parse_overrides(overrides_);
         options.overwrite = overwrite_;
         return buckling(options);
+    }
+
+    int start_modes() {
+        vibration_.case_path = case_path_;
+        vibration_.output = output_;
+        vibration_.overrides = parse_overrides(overrides_);
+        vibration_.overwrite = overwrite_;
+        return modes(vibration_);
     }
 
     static void refuse_later_command(int argc, char** argv) {
@@ -299,8 +360,8 @@ class CommandLine {
         const bool is_command = argc > 1 && argv[1][0] != '-';
         if (is_command && app_.get_subcommands().empty())
             return fmt::format(
-                "unknown command '{}'; the commands are run, check, buckling, equilibrium, "
-                "torque-drag, calibrate, report, export and info",
+                "unknown command '{}'; the commands are run, check, buckling, modes, "
+                "equilibrium, torque-drag, calibrate, report, export and info",
                 argv[1]);
         return error.what();
     }
@@ -315,6 +376,7 @@ class CommandLine {
     CLI::App* run_ = nullptr;
     CLI::App* check_ = nullptr;
     CLI::App* buckling_ = nullptr;
+    CLI::App* modes_ = nullptr;
     CLI::App* equilibrium_ = nullptr;
     CLI::App* torque_drag_ = nullptr;
     CLI::App* calibrate_ = nullptr;
@@ -331,7 +393,8 @@ class CommandLine {
     std::string restart_;
     int threads_ = -1;
     std::string isa_;
-    int modes_ = 0;
+    int buckling_modes_ = 0;
+    ModesCommand vibration_;
     std::string at_load_;
     bool paper_ = false;
     std::vector<std::string> overrides_;

@@ -98,6 +98,7 @@ void print_nothing() {
 Contents read_here(const fs::path& path) {
     if (holds_buckling(path)) return read_buckling(path);
     if (holds_torque_drag(path)) return read_torque_drag(path);
+    if (holds_modes(path)) return read_modes(path);
     return read_result(path);
 }
 
@@ -262,6 +263,7 @@ bool is_own_result_apart(const fs::path& path) {
 std::optional<std::string_view> other_than_run(const Contents& contents) {
     if (std::holds_alternative<BucklingResult>(contents)) return "buckling modes";
     if (std::holds_alternative<TorqueDragResult>(contents)) return "torque and drag";
+    if (std::holds_alternative<ModesResult>(contents)) return "modes of vibration";
     return std::nullopt;
 }
 

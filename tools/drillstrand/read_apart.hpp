@@ -10,13 +10,14 @@
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/checkpoint.hpp"
+#include "drillstrand/modes_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
 
 namespace drillstrand::program {
 
 /// What a file holds, by the command that wrote it.
-using Contents = std::variant<Result, BucklingResult, TorqueDragResult>;
+using Contents = std::variant<Result, BucklingResult, TorqueDragResult, ModesResult>;
 
 /// Throws ResultError where the file cannot be read, or reading it crashes, takes longer than any
 /// sound file of its size, or more memory.

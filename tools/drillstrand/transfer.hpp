@@ -16,6 +16,7 @@
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/checkpoint.hpp"
+#include "drillstrand/modes_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/result_layout.hpp"
 #include "drillstrand/torque_drag_file.hpp"
@@ -297,6 +298,37 @@ void transfer(Pipe& pipe, Instability& instability) {
     transfer_all(pipe, load, modes);
 }
 
+template <class Pipe>
+void transfer(Pipe& pipe, StaticShape& shape) {
+    transfer_record(pipe, shape, static_shape_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, VibrationMode& mode) {
+    transfer_record(pipe, mode, mode_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, CampbellPoint& point) {
+    transfer_record(pipe, point, campbell_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, CriticalSpeed& speed) {
+    transfer_record(pipe, speed, critical_speed_datasets());
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, Excitation& excitation) {
+    auto& [order, unbalance, bit_force, bit_torque] = excitation;
+    transfer_all(pipe, order, unbalance, bit_force, bit_torque);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, ForcedResponse& response) {
+    transfer_record(pipe, response, response_datasets());
+}
+
 /// Values of a motion by the tables of their datasets.
 inline void transfer_table(Sender& pipe, TorqueDragCurve& curve,
                            const std::vector<TorqueDragDataset>& table) {
@@ -343,6 +375,14 @@ template <class Pipe>
 void transfer(Pipe& pipe, TorqueDragResult& result) {
     auto& [header, study, version, commit] = result;
     transfer_all(pipe, header, study, version, commit);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, ModesResult& result) {
+    auto& [header, rotation_rate, grip, shape, modes, campbell, critical_speeds, excitation,
+           response, version, commit] = result;
+    transfer_all(pipe, header, rotation_rate, grip, shape, modes, campbell, critical_speeds,
+                 excitation, response, version, commit);
 }
 
 template <class Pipe>

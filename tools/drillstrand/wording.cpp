@@ -31,6 +31,24 @@ std::string unit_of(const std::string& units, std::size_t k) {
     return units.substr(start, units.find(',', start) - start);
 }
 
+std::string_view motion_word(StringMotion motion) {
+    switch (motion) {
+        case StringMotion::rotating:
+            return "rotating";
+        case StringMotion::drilling:
+            return "drilling";
+        case StringMotion::tripping_in:
+            return "tripping in";
+        case StringMotion::tripping_out:
+            return "tripping out";
+        case StringMotion::sliding:
+            return "sliding";
+        case StringMotion::rest:
+            break;
+    }
+    return "at rest, without friction";
+}
+
 FindingText finding_text(const std::string& finding) {
     const std::size_t end = finding.find(": ");
     if (end == std::string::npos) return {"", finding};

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
+#include "drillstrand/case.hpp"
 #include "drillstrand/units.hpp"
 
 namespace drillstrand::program {
@@ -37,6 +39,9 @@ std::string count_text(double count);
 
 /// Item `k` of a list of units as result files write it, "N m, N m, N", or the one unit of all.
 std::string unit_of(const std::string& units, std::size_t k);
+
+/// "at rest, without friction", "tripping in" and so on.
+std::string_view motion_word(StringMotion motion);
 
 /// A finding of a run, "subject: what", in its two parts; the subject is empty where it has none.
 struct FindingText {

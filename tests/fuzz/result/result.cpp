@@ -10,6 +10,7 @@
 
 #include "drillstrand/buckling_file.hpp"
 #include "drillstrand/error.hpp"
+#include "drillstrand/modes_file.hpp"
 #include "drillstrand/result_file.hpp"
 #include "drillstrand/torque_drag_file.hpp"
 #include "export_fields.hpp"
@@ -58,6 +59,13 @@ void look_at(const TorqueDragResult& result) {
         if (curve.hook_load.size() != result.study.bit_depth.size()) std::abort();
 }
 
+void look_at(const ModesResult& result) {
+    for (const VibrationMode& mode : result.modes)
+        if (mode.turn.size() != result.header.node_s.size()) std::abort();
+    for (const ForcedResponse& response : result.response)
+        if (response.torque.size() != result.header.segment_s.size()) std::abort();
+}
+
 /// Ends the program where a sound file cannot be read this way, so that nothing would be tried.
 bool require_that_sound_files_are_read() {
     BucklingResult made;
@@ -93,5 +101,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     program::try_to([&] { return read_result(file.path()); });
     program::try_to([&] { return read_buckling(file.path()); });
     program::try_to([&] { return read_torque_drag(file.path()); });
+    program::try_to([&] { return read_modes(file.path()); });
     return 0;
 }
