@@ -154,7 +154,12 @@ void Surroundings::derive(Table<WallRow>& wall) const {
         if (!(arc >= 0 && arc < static_cast<double>(well_->arcs().size()) &&
               arc == std::floor(arc)))
             throw std::invalid_argument("a node is in no arc of the well");
+        // what varies along an arc is that of the last step, which substeps read
+        const double hole = wall.row(WallRow::hole)[k];
+        const double stiffness = wall.row(WallRow::stiffness)[k];
         enter_arc(wall, k, static_cast<std::size_t>(arc));
+        wall.row(WallRow::hole)[k] = hole;
+        wall.row(WallRow::stiffness)[k] = stiffness;
     }
 }
 

@@ -72,6 +72,14 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         if (scenario.name == "OverAShoe") hole.sections = casing_and_open_hole();
         input.well = hole;
     }
+    if (scenario.name == "FineInATaper") {
+        WellSectionCase taper{.to = 200, .diameter = 0.21};
+        taper.end_diameter = 0.17;
+        input.well->sections = {taper};
+        input.mesh.segments = 0;
+        input.mesh.element_length = 1.5;
+        input.mesh.refine = {{.from = 8, .to = 12, .element_length = 0.2}};
+    }
     if (scenario.name == "PapersLawDamped") input.contact.law = FrictionLaw::paper;
     if (scenario.name == "PumpedMud") {
         input.fluid->flow_index = 0.7;
@@ -153,6 +161,7 @@ const std::vector<Scenario> scenarios = {
     {"MovedHead", pipe_in_well("")},
     {"PinnedHead", pipe_in_well("")},
     {"Hoist", pipe_in_well("")},
+    {"FineInATaper", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"Bouncing", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"HertzsWall", pipe_in_well("[initial]\noffset = [0.01, 0, 0]\n")},
     {"OverAShoe", R"(
