@@ -82,8 +82,8 @@ class Surroundings {
     /// Nodes in the arcs that hold `position`, with slack springs. No table without a well.
     [[nodiscard]] Table<WallRow> wall_at(const std::vector<Eigen::Vector3d>& position) const;
 
-    /// Fills the rows that follow from the arcs of the nodes, of a restored table. Throws std::invalid_argument where
-    /// the well has no such arc.
+    /// Fills the rows that follow from the arcs of the nodes, of a restored table. Throws
+    /// std::invalid_argument where the well has no such arc.
     void derive(Table<WallRow>& wall) const;
 
     /// Whether a node of a block touches the wall, still holds a stretched spring or has left its
