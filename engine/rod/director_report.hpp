@@ -21,9 +21,10 @@ struct DirectorSnapshot {
     std::optional<Table<SegmentRow>> averaged;
     Table<WallRow> wall;
     std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
-    double impacts = 0;  ///< in the step that begins here
+    double impacts = 0;                  ///< in the step that begins here
     double slips = 0;
     BitState bit = {};  ///< half a kick after that of the state
+    JarState jar{};     ///< at this step
 
     [[nodiscard]] const Table<SegmentRow>& handed_over() const {
         return averaged ? *averaged : segments;

@@ -228,6 +228,21 @@ pressure = 2e6
 pressure_gain = 1e-9
 pressure_reset = 10
 )",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[string.component.jar]
+position = 3
+up_force = 4e5
+up_travel = 0.2
+down_force = 2e5
+down_travel = 0.1
+delay = 30
+[mesh]
+segments = 5
+)",
                                       short_pipe + R"([head.drive]
 control = "tuned"
 impedance_factor = 4
