@@ -20,6 +20,8 @@ void cut_above(Component& component, double excess) {
     };
     follow(component.contact);
     follow(component.bend);
+    follow(component.eccentric);
+    follow(component.jar);
 }
 
 /// The lower part of a string of that length, or the string with a longer top component.
