@@ -446,8 +446,8 @@ TEST_F(Program, AMistypedCommandLineIsOneLine) {
 }
 
 TEST_F(Program, HelpAndVersionAreEverywhere) {
-    const std::vector<std::vector<std::string>> commands = {
-        {}, {"run"}, {"check"}, {"buckling"}, {"info"}};
+    const std::vector<std::vector<std::string>> commands = {{},           {"run"},   {"check"},
+                                                            {"buckling"}, {"modes"}, {"info"}};
     for (std::vector<std::string> arguments : commands) {
         arguments.emplace_back("--version");
         Ending ending = run(arguments);

@@ -222,6 +222,59 @@ TEST(Modes, TheCampbellDiagramIsMadeOfTheModesAtEachRate) {
     }
 }
 
+/// The rate (rad/s) near an expected one at which a signal swings most, by its Fourier transform
+/// under Hann's window.
+double strongest_rate(const std::vector<double>& time, const std::vector<double>& signal,
+                      double expected) {
+    double mean = 0;
+    for (const double value : signal)
+        mean += value / static_cast<double>(signal.size());
+    const auto strength = [&](double rate) {
+        std::complex<double> sum = 0;
+        for (std::size_t k = 0; k < signal.size(); ++k) {
+            const double window = 1 - std::cos(2 * pi * time[k] / time.back());
+            sum += window * (signal[k] - mean) * std::polar(1.0, -rate * time[k]);
+        }
+        return std::abs(sum);
+    };
+    double best = 0;
+    double most = 0;
+    for (double rate = 0.95 * expected; rate < 1.05 * expected; rate += 1e-4 * expected) {
+        const double now = strength(rate);
+        if (now <= most) continue;
+        most = now;
+        best = rate;
+    }
+    return best;
+}
+
+TEST(Modes, AreTheSwingsOfTheLeapfrogAboutAStateThatSagsByAFifthOfItsLength) {
+    const std::string pipe = test::table_2_pipe + "[mesh]\nsegments = 16\n";
+    const std::string head = "[head]\ndirection = [1, 0, 0]\n";
+    const Vibrating string(
+        test::case_from("gravity = 9.81\n" + pipe + head + "[run]\nduration = 1\n"));
+    ASSERT_GT(string.string.static_shape().position.back().z(), 24.0 / 5);
+    // a knock sideways and down, then free
+    const test::Run run =
+        test::run("gravity = 9.81\n" + pipe + head +
+                  "[initial]\nstate = \"equilibrium\"\n[run]\nduration = 100\n"
+                  "[bit]\nforce = [[0, [0, 0, 0]], [0.5, [0, 20, 20]], [1, [0, 0, 0]]]\n"
+                  "[output]\ninterval = 0.05\nprofile_interval = 0\n");
+    std::vector<double> time, sideways, down;
+    for (const SeriesRecord& record : run.series) {
+        time.push_back(record.time);
+        sideways.push_back(record.bit_position.y());
+        down.push_back(record.bit_position.z());
+    }
+    const std::vector<VibrationMode> modes = string.string.modes(0, 2);
+    for (const VibrationMode& mode : modes) {
+        const bool goes_sideways = std::abs(mode.displacement.back().y()) > 0.5;
+        const double swing = strongest_rate(time, goes_sideways ? sideways : down, mode.frequency);
+        EXPECT_NEAR(swing / mode.frequency, 1, 2e-3) << goes_sideways;
+    }
+    EXPECT_GT(modes[1].frequency / modes[0].frequency, 1.01) << "they differ";
+}
+
 // -- in a well ------------------------------------------------------------------------------------
 
 /// A string in a straight hole.

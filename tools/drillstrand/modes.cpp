@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -183,7 +184,7 @@ void line(std::string_view name, fmt::format_string<Parts...> text, Parts&&... p
 }
 
 void print_string(const Case& input, const Scene& scene, const Study& study,
-                  const StaticShape& shape) {
+                  const StaticShape& shape, double seconds) {
     fmt::print("{}: {}\n", input.path.string(), input.title);
     line("string", "{:.6g} m in {} segments, head {}", scene.mesh.node_s.back(), scene.segments,
          scene.head.motion == HeadMotion::pinned ? "pinned" : "clamped");
@@ -195,6 +196,7 @@ void print_string(const Case& input, const Scene& scene, const Study& study,
              study.grip == WallGrip::sticks ? "they stick to the wall"
                                             : "they slide along the wall");
     line("turning", "{:.4g} rpm", in_rpm(study.rotation_rate));
+    line("search", "{} in all", duration_text(seconds));
 }
 
 /// Whether a mode goes round with the rotation, against it, or to and fro.
@@ -340,11 +342,14 @@ int modes(const ModesCommand& command) {
     const Scene scene = build_static_scene(input);
     require_possible(command, input, scene);
     const Study study = study_of(command, input, scene);
+    const auto start = std::chrono::steady_clock::now();
     const StringVibration string(scene, study.equilibrium, study.grip);
     ModesResult result = result_of(command, study, string);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write(output, command, input, scene, result);
 
-    print_string(input, scene, study, result.shape);
+    print_string(input, scene, study, result.shape, seconds);
     print_modes(result.modes);
     if (!result.campbell.empty()) {
         print_campbell(result.campbell, command.number);

@@ -22,6 +22,13 @@ ALONG = ["tension", "torque", "side_force", "bending_stress", "von_mises_stress"
          "helical_limit", "soft_tension", "soft_torque", "soft_side_force", "inside_pressure",
          "outside_pressure", "true_tension"]
 
+STATIC = {"position": (NODES, 3), "director": (NODES, 3), "side_force": (NODES,)}
+MODE_NUMBERS = ["frequency", "lateral_share", "torsional_share", "axial_share", "whirl",
+                "bending_place"]
+MOTIONS = ["displacement", "turn", "later_displacement", "later_turn"]
+RESPONSE = {"displacement": NODES, "twist": NODES, "side_force": NODES,
+            "bending_moment": SEGMENTS, "torque": SEGMENTS, "axial_force": SEGMENTS}
+
 
 def numbers(*shape):
     return np.linspace(1, 2, int(np.prod(shape, dtype=int))).reshape(shape)
@@ -112,6 +119,37 @@ def torque_drag(file):
     group["drilling/profile/buckling"] = np.array([0, 1])
 
 
-for make in [run, run_without_records, run_compressed, buckling, torque_drag]:
+def add_points(group, names, kinds):
+    for name in names:
+        group[name] = numbers(len(kinds))
+    group["kind"] = np.array(kinds)
+
+
+def modes(file):
+    add_origin(file)
+    group = file.create_group("modes")
+    group.attrs["rotation_rate"] = 0.5
+    group.attrs["sticks"] = np.int64(1)
+    add_mesh(group)
+    for name, shape in STATIC.items():
+        group["static/" + name] = numbers(*shape)
+    add_points(group, MODE_NUMBERS, [0, 2])
+    group["crossings"] = np.arange(2)
+    for name in MOTIONS:
+        group[name] = numbers(2, NODES, 3)
+    add_points(group.create_group("campbell"), ["rotation_rate", "frequency", "whirl"], [1])
+    add_points(group.create_group("critical"), ["order", "rotation_rate", "whirl"], [1])
+    response = group.create_group("response")
+    for name in ["order", "bit_force", "bit_torque"]:
+        response.attrs[name] = 0.5
+    response.attrs["unbalance"] = np.int64(0)
+    for name in ["rotation_rate", "frequency"]:
+        response[name] = numbers(1)
+    response["lifts_off"] = np.arange(1)
+    for name, rows in RESPONSE.items():
+        response[name] = numbers(1, rows)
+
+
+for make in [run, run_without_records, run_compressed, buckling, torque_drag, modes]:
     with h5py.File(pathlib.Path(sys.argv[1]) / make.__name__, "w") as made:
         make(made)
