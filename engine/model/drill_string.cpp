@@ -244,6 +244,11 @@ void unbalance_nodes(StringMesh& mesh, const StringLayout& layout) {
 
 }  // namespace
 
+std::size_t StringMesh::segment_at(double s) const {
+    const auto beyond = std::upper_bound(node_s.begin() + 1, node_s.end() - 1, s);
+    return static_cast<std::size_t>(beyond - node_s.begin()) - 1;
+}
+
 StringMesh mesh_string(const StringCase& string, const MeshCase& mesh_case, Lumping lumping) {
     const StringLayout layout(string);
     StringMesh mesh;
@@ -261,6 +266,7 @@ StringMesh mesh_string(const StringCase& string, const MeshCase& mesh_case, Lump
     touch_at_places(mesh, layout);
     bend_at_kinks(mesh, layout);
     unbalance_nodes(mesh, layout);
+    if (layout.jar) mesh.jar = {mesh.segment_at(layout.jar->s), layout.jar->law};
     return mesh;
 }
 

@@ -73,6 +73,10 @@ StringLayout::StringLayout(const StringCase& string) : boundary{0.0}, component_
             kinks.push_back({start + bend->position, bend->angle, bend->toolface});
         if (const auto& mass = component.eccentric)
             eccentric.push_back({start + mass->position, mass->moment});
+        if (const auto& law = component.jar) {
+            if (jar) throw std::invalid_argument("the string has two jars; expected at most one");
+            jar = {start + law->position, *law};
+        }
     }
     const auto above = [](const auto& one, const auto& other) { return one.s < other.s; };
     std::stable_sort(places.begin(), places.end(), above);

@@ -27,6 +27,11 @@ struct EccentricPlace {
     double moment = 0;  ///< kg m
 };
 
+struct JarPlace {
+    double s = 0;  ///< m
+    JarCase law;
+};
+
 /// The string as stretches of constant properties along the arc length, from 0 to its length.
 struct StringLayout {
     explicit StringLayout(const StringCase& string);
@@ -38,6 +43,7 @@ struct StringLayout {
     std::vector<TouchingPlace> places;        ///< tool joints and contact points, ascending
     std::vector<Kink> kinks;                  ///< ascending
     std::vector<EccentricPlace> eccentric;    ///< ascending
+    std::optional<JarPlace> jar;
 
     [[nodiscard]] double length() const { return boundary.back(); }
 

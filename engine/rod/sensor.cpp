@@ -9,8 +9,7 @@ using Eigen::Vector3d;
 
 SensorPlace::SensorPlace(const StringMesh& mesh, const SensorCase& sensor) {
     const auto& s = mesh.node_s;
-    const auto beyond = std::upper_bound(s.begin() + 1, s.end() - 1, sensor.depth);
-    segment = static_cast<std::size_t>(beyond - s.begin()) - 1;
+    segment = mesh.segment_at(sensor.depth);
     share = std::clamp((sensor.depth - s[segment]) / (s[segment + 1] - s[segment]), 0.0, 1.0);
 }
 

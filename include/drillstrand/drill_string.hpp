@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "drillstrand/case.hpp"
@@ -66,6 +67,12 @@ struct StringMesh {
         ContactPoint point;
     };
 
+    /// The segment in which a jar slides.
+    struct Jar {
+        std::size_t segment;
+        JarCase law;
+    };
+
     std::vector<double> node_s;     ///< N+1, arc length from the head (m)
     std::vector<double> segment_s;  ///< N, middle of the segment (m)
     std::vector<double> length;     ///< N, of the segment (m)
@@ -79,6 +86,10 @@ struct StringMesh {
     std::vector<bool> touches_at_a_point;
     std::vector<double> lost;       ///< contact points without a node (m), ascending
     std::vector<double> unbalance;  ///< N+1, eccentric mass times distance (kg m); empty: none
+    std::optional<Jar> jar;
+
+    /// The segment that holds a place along the string (m).
+    [[nodiscard]] std::size_t segment_at(double s) const;
 };
 
 /// The string on a mesh of at least one segment (engine/model/README.md, "Mesh"). Outer radii are
