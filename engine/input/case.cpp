@@ -29,6 +29,16 @@ void check_eccentric_masses(const Case& input, const StringInput& string) {
                              "run.integrator = \"leapfrog\"");
 }
 
+/// Throws InputError where the paper's rod is asked for a jar.
+void check_jar(const Case& input, const toml::table& root) {
+    if (input.run.integrator == IntegratorKind::leapfrog) return;
+    for (std::size_t k = 0; k < input.string.components.size(); ++k)
+        if (input.string.components[k].jar)
+            Value(*root.at_path(fmt::format("string.component[{}].jar", k)).node(),
+                  fmt::format("string.component.{}.jar", k))
+                .fail("slides in the leapfrog's rod alone; expected run.integrator = \"leapfrog\"");
+}
+
 /// Throws InputError where the paper's rod is asked for ends that the leapfrog alone has.
 void check_ends(const Case& input, const toml::table& root) {
     if (input.run.integrator == IntegratorKind::leapfrog) return;
@@ -126,6 +136,7 @@ Case read_case(const std::filesystem::path& path,
     result.torque_drag = read_torque_drag(root, result.well, string, result.contact.interference);
     check_initial_equilibrium(result, document.root);
     check_eccentric_masses(result, string);
+    check_jar(result, document.root);
     check_ends(result, document.root);
     result.warnings = implausible_numbers(document.root, result, string);
     result.path = path;

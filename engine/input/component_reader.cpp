@@ -49,6 +49,8 @@ class ComponentSource {
     [[nodiscard]] virtual std::optional<double> number(std::string_view key,
                                                        const Range& range) const = 0;
     [[nodiscard]] virtual Eigen::Vector3d curvature() const = 0;
+    /// A table of its own; none where columns are all there is.
+    [[nodiscard]] virtual std::optional<Value> table(std::string_view key) const = 0;
     [[nodiscard]] virtual SourceLocation where(std::string_view key) const = 0;
     [[nodiscard]] virtual std::string path_of(std::string_view key) const = 0;
     /// With its unit; empty where it is left out.
@@ -70,7 +72,8 @@ class ComponentSource {
     }
 };
 
-// Keys of a component, which are columns too, but for the curvature in their middle.
+// Keys of a component, which are columns too, but for those in their middle: the curvature, and
+// what is a table.
 constexpr std::array<std::string_view, 9> keys_of_pipe{
     "name",    "length",         "outer_diameter", "inner_diameter", "linear_density",
     "density", "youngs_modulus", "poisson_ratio",  "yield_strength"};
@@ -97,15 +100,15 @@ constexpr std::array<std::string_view, 21> keys_of_places{"bending_stiffness",
                                                           "element_length"};
 
 template <std::size_t size>
-constexpr auto keys_with(const std::array<std::string_view, size>& curvature) {
+constexpr auto keys_with(const std::array<std::string_view, size>& others) {
     std::array<std::string_view, keys_of_pipe.size() + size + keys_of_places.size()> all{};
     auto end = std::copy(keys_of_pipe.begin(), keys_of_pipe.end(), all.begin());
-    end = std::copy(curvature.begin(), curvature.end(), end);
+    end = std::copy(others.begin(), others.end(), end);
     std::copy(keys_of_places.begin(), keys_of_places.end(), end);
     return all;
 }
 
-constexpr auto keys = keys_with(std::array<std::string_view, 1>{"curvature"});
+constexpr auto keys = keys_with(std::array<std::string_view, 2>{"curvature", "jar"});
 constexpr auto columns = keys_with(
     std::array<std::string_view, 3>{"curvature_twist", "curvature_bend1", "curvature_bend2"});
 
@@ -132,6 +135,9 @@ class TableSource : public ComponentSource {
     }
     [[nodiscard]] Eigen::Vector3d curvature() const override {
         return table_.vector("curvature", dimension::curvature, plausible::curvature);
+    }
+    [[nodiscard]] std::optional<Value> table(std::string_view key) const override {
+        return table_.find(key);
     }
     [[nodiscard]] SourceLocation where(std::string_view key) const override {
         const std::optional<Value> value = table_.find(key);
@@ -186,6 +192,9 @@ class RowSource : public ComponentSource {
             return quantity(key, dimension::curvature, plausible::curvature).value_or(0);
         };
         return {part("curvature_twist"), part("curvature_bend1"), part("curvature_bend2")};
+    }
+    [[nodiscard]] std::optional<Value> table(std::string_view) const override {
+        return std::nullopt;
     }
     [[nodiscard]] SourceLocation where(std::string_view key) const override {
         const std::optional<std::size_t> column = filled_column(key);
@@ -403,6 +412,42 @@ std::optional<Eccentricity> read_eccentricity(const ComponentSource& source,
         read_place(source, component, "eccentric_mass_position", component.length / 2), *moment};
 }
 
+/// One way of a jar: the force (N) above which it trips, and the travel (m) to the blow.
+void read_stroke(const Table& table, const std::string& way, double& force, double& travel) {
+    const std::optional<Value> limit = table.find(way + "_force");
+    if (!limit) {
+        if (const std::optional<Value> alone = table.find(way + "_travel"))
+            alone->fail(
+                fmt::format("has no effect; expected it with {}", table.path_of(way + "_force")));
+        return;
+    }
+    force = limit->quantity(dimension::force, plausible::largest_load);
+    travel = table.require(way + "_travel", "the way to the blow, such as \"0.2 m\"")
+                 .quantity(dimension::length, plausible::length);
+}
+
+std::optional<JarCase> read_jar(const ComponentSource& source, const Component& component) {
+    const std::optional<Value> value = source.table("jar");
+    if (!value) return std::nullopt;
+    const Table table(*value,
+                      {"position", "up_force", "up_travel", "down_force", "down_travel", "delay"});
+    JarCase jar;
+    jar.position = component.length / 2;
+    if (const std::optional<Value> position = table.find("position")) {
+        jar.position = position->quantity(dimension::length, plausible::length_or_none);
+        if (jar.position > component.length)
+            position->fail(fmt::format("is {}; expected at most {}, the length of the component",
+                                       length_text(jar.position), length_text(component.length)));
+    }
+    read_stroke(table, "up", jar.up_force, jar.up_travel);
+    read_stroke(table, "down", jar.down_force, jar.down_travel);
+    if (jar.up_force == 0 && jar.down_force == 0)
+        value->fail(
+            "never trips; expected up_force with up_travel, or down_force with down_travel");
+    jar.delay = table.quantity("delay", dimension::time, jar.delay, plausible::delay);
+    return jar;
+}
+
 /// Mass per length of tool joints and the pipe between, of one material.
 double jointed_density(double density, const Component& component) {
     const auto ring = [](double outer, double inner) {
@@ -467,6 +512,7 @@ PlacedComponent read_component(const ComponentSource& source) {
     component.contact = read_contact_point(source, component);
     component.bend = read_bend(source, component);
     component.eccentric = read_eccentricity(source, component);
+    component.jar = read_jar(source, component);
     component.element_length =
         source.quantity("element_length", dimension::length, plausible::length);
     return {component, source.where("outer_diameter")};
@@ -487,8 +533,13 @@ std::vector<PlacedComponent> read_component_list(const Value& list) {
     std::vector<PlacedComponent> result;
     const std::vector<Value> values = list.elements("a list of tables [[string.component]]");
     if (values.size() > most_components) list.fail(too_many(values.size()));
+    bool has_jar = false;
     for (const Value& value : values) {
-        result.push_back(read_as_written(TableSource(value)));
+        const TableSource source(value);
+        result.push_back(read_as_written(source));
+        if (!result.back().component.jar) continue;
+        if (has_jar) source.fail("jar", "is the second in the string; expected at most one jar");
+        has_jar = true;
     }
     if (result.empty()) list.fail("is empty; expected at least one component");
     return result;

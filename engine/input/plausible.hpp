@@ -24,7 +24,7 @@ inline constexpr Range unbalance{.low = 0, .high = 1e3};              // kg m
 inline constexpr Range acceleration{.low = 0, .high = 1e3};           // m/s2
 inline constexpr Range load{.low = -1e12, .high = 1e12};              // N or N m
 inline constexpr Range load_or_none{.low = 0, .high = 1e12};          // N or N m
-inline constexpr Range largest_load{.low = 1e-9, .high = 1e12};       // N m or W
+inline constexpr Range largest_load{.low = 1e-9, .high = 1e12};       // N, N m or W
 inline constexpr Range proportional{.low = 1e-9, .high = 1e12};       // N m s
 inline constexpr Range drive_inertia{.low = 0, .high = 1e9};          // kg m2
 inline constexpr Range bit_inertia{.low = 0, .high = 1e6};            // kg m2

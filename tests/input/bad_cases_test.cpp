@@ -80,7 +80,7 @@ TEST(BadCases, ValuesOfTheWrongTypeSayWhatWasExpected) {
         {R"(title = "Trial")", "title = \"Trial\"\ncontact = 3",
          "case.toml:2:11: contact is 3; expected a table [contact]"},
         {"[mesh]\nsegments = 50\n", "mesh = 50\n",
-         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, eccentric_mass, eccentric_mass_position, element_length)"},
+         R"(case.toml:27:1: unknown key "string.component.1.mesh"; known here: name, length, outer_diameter, inner_diameter, linear_density, density, youngs_modulus, poisson_ratio, yield_strength, curvature, jar, bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, inertia, polar_inertia, material_density, joint_length, tool_joint_outer_diameter, tool_joint_inner_diameter, tool_joint_length, contact_diameter, contact_length, contact_position, contact_stiffness, bend, bend_position, toolface, eccentric_mass, eccentric_mass_position, element_length)"},
         {"[head]\n", "[output]\ninterval = {}\n[head]\n",
          "case.toml:31:12: output.interval is a table; expected a number in SI or a time such as "
          "s, min, h"},
@@ -394,6 +394,44 @@ TEST(BadCases, EccentricMassesTurnWithTheLeapfrogsRod) {
          "case.toml:19:27: string.component.0.eccentric_mass_position has no effect; expected it "
          "with string.component.0.eccentric_mass"},
     });
+}
+
+TEST(BadCases, JarsTripBeforeTheySlide) {
+    const std::string header = "[string.component.jar]\n";
+    const auto jar = [&](const std::string& keys) { return pipe_with(header + keys); };
+    const std::string upward = "up_force = 1e5\nup_travel = 0.2";
+    expect_messages({
+        {pipe_end, jar("delay = 3"),
+         "case.toml:19:1: string.component.0.jar never trips; expected up_force with up_travel, or "
+         "down_force with down_travel"},
+        {pipe_end, jar("up_force = \"400 kN\""),
+         "case.toml:19:1: missing key \"string.component.0.jar.up_travel\"; expected the way to "
+         "the "
+         "blow, such as \"0.2 m\""},
+        {pipe_end, jar("down_travel = 0.1\n" + upward),
+         "case.toml:20:15: string.component.0.jar.down_travel has no effect; expected it with "
+         "string.component.0.jar.down_force"},
+        {pipe_end, jar(upward + "\nposition = 401"),
+         "case.toml:22:12: string.component.0.jar.position is 401 m; expected at most 400 m, the "
+         "length of the component"},
+        {pipe_end, jar(upward + "\ndelay = \"20 min\""),
+         "case.toml:22:9: string.component.0.jar.delay is \"20 min\"; expected 0 to 1000 s"},
+        {pipe_end, jar(upward + "\nstroke = 1"),
+         "case.toml:22:1: unknown key \"string.component.0.jar.stroke\"; known here: position, "
+         "up_force, up_travel, down_force, down_travel, delay"},
+        {"[run]", header + upward + "\n[run]\nintegrator = \"dormand-prince\"",
+         "case.toml:37:1: string.component.1.jar slides in the leapfrog's rod alone; expected "
+         "run.integrator = \"leapfrog\""},
+    });
+    const std::string two = replaced(replaced(trial_case, pipe_end, jar(upward)), "[mesh]",
+                                     header + upward + "\n[mesh]");
+    TrialFolder folder;
+    folder.write("survey.csv", trial_survey);
+    folder.write("case.toml", two);
+    EXPECT_EQ(
+        folder.message("case.toml"),
+        "case.toml:30:1: string.component.1.jar is the second in the string; expected at most "
+        "one jar");
 }
 
 TEST(BadCases, BitLawsAndDrivesHaveTheirOwnKeys) {

@@ -397,6 +397,19 @@ TEST(GoodCases, AnEccentricMassHasAPlaceInItsComponent) {
     EXPECT_DOUBLE_EQ(input.string.components[1].eccentric->position, 3.048);
 }
 
+TEST(GoodCases, AJarStandsBehindItsComponent) {
+    const Case input = read_trial("[mesh]",
+                                  "[string.component.jar]\nup_force = \"90 kip\"\n"
+                                  "up_travel = \"8 in\"\ndelay = \"1 min\"\n[mesh]");
+    EXPECT_FALSE(input.string.components[0].jar);
+    const JarCase& jar = *input.string.components[1].jar;
+    EXPECT_EQ(jar.position, 50);
+    EXPECT_NEAR(jar.up_force, 400.34e3, 10);
+    EXPECT_DOUBLE_EQ(jar.up_travel, 0.2032);
+    EXPECT_EQ(jar.down_force, 0);
+    EXPECT_EQ(jar.delay, 60);
+}
+
 TEST(GoodCases, APartMayBeAsWideAsItsHoleOrWiderByTheInterference) {
     EXPECT_NO_THROW(read_trial("diameter = 0.3111", "diameter = \"8 in\""));
     EXPECT_NO_THROW(read_trial("diameter = 0.3111\n",

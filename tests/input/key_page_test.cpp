@@ -201,6 +201,21 @@ wear_flat = 1e-3
 contact_strength = 6e7
 flat_friction = 0.5
 )",
+                                      R"([[string.component]]
+length = 10
+outer_diameter = 0.1
+linear_density = 20
+youngs_modulus = 2e11
+[string.component.jar]
+position = 3
+up_force = 4e5
+up_travel = 0.2
+down_force = 2e5
+down_travel = 0.1
+delay = 30
+[mesh]
+segments = 5
+)",
                                       short_pipe + R"([head.drive]
 control = "tuned"
 impedance_factor = 4
