@@ -171,6 +171,13 @@ const std::vector<RecordDataset<SeriesRecord>>& series_datasets() {
         series<&R::drilled>("/series/drilled", "m",
                             "depth of the bit below the bottom of the hole at the start, negative "
                             "off bottom; 0 where bit.law is not \"cutting\""),
+        series<&R::jar_force>("/series/jar_force", "N",
+                              "tension in the jar's segment; 0 without a jar"),
+        series<&R::jar_travel>("/series/jar_travel", "m",
+                               "of the jar's halves apart, from where they latch; negative: "
+                               "together"),
+        series<&R::jar_blows>("/series/jar_blows", "1",
+                              "blows of the jar's hammer since the start"),
         series<&R::energy, &E::kinetic>("/series/kinetic_energy", "J", "kinetic energy"),
         series<&R::energy, &E::rotation>("/series/rotation_energy", "J",
                                          "kinetic energy of the spin about d3, part of the kinetic "
