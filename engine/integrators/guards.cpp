@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,11 +22,12 @@ using Constants = DirectorConstants;
 constexpr double most_coarseness = 1.0 / (2 * 2);
 constexpr double fair_coarseness = 1.0 / (8 * 8);
 
-/// Reads the segments of a block into three rows of block_size numbers each.
+/// Reads the segments of a block into three rows of block_size numbers each. `slid`:
+/// Jar::slid_in().
 DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable& limits,
                                     const Table<DirectorRow>& rod,
-                                    const Table<SegmentRow>& segments, std::size_t block,
-                                    double* cosine_out, double* yield2_out,
+                                    const Table<SegmentRow>& segments, const double* slid,
+                                    std::size_t block, double* cosine_out, double* yield2_out,
                                     double* coarseness_out) {
     const auto first = static_cast<std::ptrdiff_t>(block * block_size);
     const ConstTriples x_a = rod.triples(DirectorRow::position, first);
@@ -53,7 +55,7 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
         const SegmentChord chord(x_a[k], x_b[k], ih, ta, tb, arc.inverse_both());
         const double factor = arc.factor();
         const SegmentStiffness stiffness = stiffnesses[k];
-        const BeamColumn beam(stiffness, chord, factor * factor * dot(arc.turn, arc.turn));
+        const BeamColumn beam(stiffness, chord, factor * factor * dot(arc.turn, arc.turn), slid[k]);
         const double tension = beam.tension;
         // at the ends of the segment: by the angle between them, less the own curvature of the mean
         // frame, and by the deviation of the chord
@@ -76,8 +78,10 @@ DRILLSTRAND_KERNEL void read_guards(const DirectorConstants& c, const BlockTable
         segment(k);
 }
 
+}  // namespace
+
 /// The readings of each segment of a block; the padding after the last one does not count.
-struct BlockReadings {
+struct Guards::BlockReadings {
     std::size_t first;
     std::size_t count;
     double cosine[block_size];
@@ -89,22 +93,22 @@ struct BlockReadings {
     }
 };
 
-BlockReadings readings(const DirectorModel& model, const BlockTable& limits,
-                       const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
-                       std::size_t block) {
+Guards::BlockReadings Guards::readings(const Table<DirectorRow>& rod,
+                                       const Table<SegmentRow>& segments, const JarState& jar,
+                                       std::size_t block) const {
     BlockReadings all;
     all.first = block * block_size;
-    all.count = std::min(block_size, model.segments - std::min(model.segments, all.first));
-    at_level<read_guards>(model.level)(model.constants, limits, rod, segments, block, all.cosine,
-                                       all.yield2, all.coarseness);
+    all.count = std::min(block_size, model_.segments - std::min(model_.segments, all.first));
+    const std::array<double, block_size> slid = jar_.slid_in(jar, block);
+    at_level<read_guards>(model_.level)(model_.constants, limits_, rod, segments, slid.data(),
+                                        block, all.cosine, all.yield2, all.coarseness);
     return all;
 }
-
-}  // namespace
 
 Guards::Guards(const Scene& scene, const DirectorModel& model, double stress_limit)
     : scene_(scene),
       model_(model),
+      jar_(scene.mesh),
       limits_(rows, model.segments + 1),
       most_yield2_(stress_limit > 0 ? stress_limit * stress_limit
                                     : std::numeric_limits<double>::infinity()) {
@@ -120,8 +124,8 @@ Guards::Guards(const Scene& scene, const DirectorModel& model, double stress_lim
 }
 
 GuardReading Guards::read(const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
-                          std::size_t block) const {
-    const BlockReadings all = readings(model_, limits_, rod, segments, block);
+                          const JarState& jar, std::size_t block) const {
+    const BlockReadings all = readings(rod, segments, jar, block);
     GuardReading worst;
     for (std::size_t k = 0; k < all.count; ++k) {
         worst.cosine = std::min(worst.cosine, all.cosine[k]);
@@ -153,9 +157,10 @@ std::string Guards::buckle(double coarseness, std::size_t segment) const {
 }
 
 std::optional<std::string> Guards::describe(const Table<DirectorRow>& rod,
-                                            const Table<SegmentRow>& segments, double time) const {
+                                            const Table<SegmentRow>& segments, const JarState& jar,
+                                            double time) const {
     for (std::size_t block = 0; block < blocks_for(model_.segments); ++block) {
-        const BlockReadings all = readings(model_, limits_, rod, segments, block);
+        const BlockReadings all = readings(rod, segments, jar, block);
         for (std::size_t k = 0; k < all.count; ++k) {
             const GuardReading one = all.of(k);
             if (!stops(one)) continue;
@@ -181,9 +186,9 @@ std::optional<std::string> Guards::describe(const Table<DirectorRow>& rod,
 
 void Guards::follow(CoarsestSegment& coarsest, const GuardReading& reading,
                     const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
-                    std::size_t block, double time) const {
+                    const JarState& jar, std::size_t block, double time) const {
     if (reading.coarseness <= std::max(coarsest.coarseness, fair_coarseness)) return;
-    const BlockReadings all = readings(model_, limits_, rod, segments, block);
+    const BlockReadings all = readings(rod, segments, jar, block);
     const double* worst = std::max_element(all.coarseness, all.coarseness + all.count);
     coarsest = {*worst, static_cast<std::int64_t>(all.first) + (worst - all.coarseness), time};
 }

@@ -10,6 +10,7 @@
 #include "drillstrand/scene.hpp"
 #include "numerics/block_table.hpp"
 #include "rod/director.hpp"
+#include "rod/jar.hpp"
 
 namespace drillstrand {
 
@@ -28,21 +29,23 @@ class Guards {
     /// `stress_limit`: multiple of yield at which to stop; 0: none.
     Guards(const Scene& scene, const DirectorModel& model, double stress_limit);
 
-    /// Reads a block of segments. Their twists must belong to the same whole step as `rod`.
+    /// Reads a block of segments. Their twists, and the jar's slide, must belong to the same whole
+    /// step as `rod`.
     [[nodiscard]] GuardReading read(const Table<DirectorRow>& rod,
-                                    const Table<SegmentRow>& segments, std::size_t block) const;
+                                    const Table<SegmentRow>& segments, const JarState& jar,
+                                    std::size_t block) const;
 
     [[nodiscard]] bool stops(const GuardReading& reading) const;
 
     /// Why a run has to stop: the first segment from the head that no guard lets pass.
     [[nodiscard]] std::optional<std::string> describe(const Table<DirectorRow>& rod,
                                                       const Table<SegmentRow>& segments,
-                                                      double time) const;
+                                                      const JarState& jar, double time) const;
 
     /// Keeps the coarsest segment of a block if it is coarser than `coarsest`.
     void follow(CoarsestSegment& coarsest, const GuardReading& reading,
-                const Table<DirectorRow>& rod, const Table<SegmentRow>& segments, std::size_t block,
-                double time) const;
+                const Table<DirectorRow>& rod, const Table<SegmentRow>& segments,
+                const JarState& jar, std::size_t block, double time) const;
 
     /// A sentence on a mesh that resolves its buckle poorly; none where it is fine enough.
     [[nodiscard]] std::optional<std::string> warn(const CoarsestSegment& coarsest) const;
@@ -57,11 +60,16 @@ class Guards {
     };
 
   private:
+    struct BlockReadings;
+    [[nodiscard]] BlockReadings readings(const Table<DirectorRow>& rod,
+                                         const Table<SegmentRow>& segments, const JarState& jar,
+                                         std::size_t block) const;
     [[nodiscard]] std::string place(std::size_t segment) const;
     [[nodiscard]] std::string buckle(double coarseness, std::size_t segment) const;
 
     const Scene& scene_;
     const DirectorModel& model_;
+    Jar jar_;
     BlockTable limits_;
     double most_yield2_;
 };

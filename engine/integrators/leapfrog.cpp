@@ -112,6 +112,7 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
     worker.share = &shares_[threads - 1][thread];
     worker.coarsest = state_.coarsest;
     worker.accounts = state_.accounts;
+    worker.jar = state_.jar;
     const Course course = state_.course;
     const std::int64_t steps_before = state_.statistics.steps;
     const double last_step = state_.clock.last_step;
@@ -134,12 +135,14 @@ void Leapfrog::run(std::size_t thread, std::size_t threads) {
     }
     meeting_.barrier.wait();
     state_.accounts.take(worker.accounts, worker.share->first_span, worker.share->end_span);
+    if (string_.jar.is_in({worker.share->begin, worker.share->end})) state_.jar = worker.jar;
 }
 
 /// The forces of a span's segments at the whole step, with the load at the bit behind the last.
 void Leapfrog::fill_segments(Worker& worker, std::size_t span, const Table<DirectorRow>& rod,
                              const DirectorStep& step) {
-    director_segments(string_.model, rod, worker.segments, string_.spans[span], step.last_drift);
+    string_segments(string_, worker.jar, rod, worker.segments, string_.spans[span],
+                    step.last_drift);
     if (span + 1 == string_.spans.size())
         load_bit(string_, state_, rod, step.time, worker.segments);
 }
@@ -152,12 +155,16 @@ bool Leapfrog::step_spans(Worker& worker, const Table<DirectorRow>& rod, Table<D
     Table<SegmentRow>& segments = worker.segments;
     const bool owns_head = worker.share->begin == 0;
     const bool owns_bit = worker.share->end == string_.spans.back().end;
+    // its own blocks, and the one before: each who needs the jar finds the same by itself
+    const std::size_t first_block = owns_head ? 0 : worker.share->begin - 1;
     bool sound = true;
+    if (string_.jar.is_in({first_block, worker.share->end}))
+        worker.jar = string_.jar.follow(worker.jar, model, rod, step.last_drift);
     if (owns_head)
         string_.head.load(segments, rod, step.time);
     else
-        director_segments(model, rod, segments, {worker.share->begin - 1, worker.share->begin},
-                          step.last_drift);
+        string_segments(string_, worker.jar, rod, segments, {first_block, worker.share->begin},
+                        step.last_drift);
     for (const std::size_t span : worker.share->early)
         fill_segments(worker, span, rod, step);
     for (const std::size_t stretch : worker.share->stretches)
@@ -202,11 +209,12 @@ bool Leapfrog::keep_guard(Worker& worker, const Table<DirectorRow>& rod,
     bool passes = true;
     // what the segments bear, not what their nodes feel in the mean
     for (const std::size_t span : worker.share->early)
-        director_segments(string_.model, rod, worker.segments, string_.spans[span],
-                          step.last_drift);
+        string_segments(string_, worker.jar, rod, worker.segments, string_.spans[span],
+                        step.last_drift);
     for (std::size_t block = worker.share->begin; block < worker.share->end; ++block) {
-        const GuardReading reading = guards_.read(rod, worker.segments, block);
-        guards_.follow(worker.coarsest, reading, rod, worker.segments, block, step.time);
+        const GuardReading reading = guards_.read(rod, worker.segments, worker.jar, block);
+        guards_.follow(worker.coarsest, reading, rod, worker.segments, worker.jar, block,
+                       step.time);
         if (guards_.stops(reading)) passes = false;
     }
     return passes;
@@ -228,8 +236,9 @@ void Leapfrog::fail() {
     const Table<DirectorRow>& after = step % 2 == 0 ? next_ : state_.rod;
     Table<SegmentRow>& segments = workers_.front().segments;
     for (const BlockSpan span : string_.spans)
-        director_segments(string_.model, rod, segments, span, last_drift);
-    if (const auto guard = guards_.describe(rod, segments, time)) throw GuardError(*guard);
+        string_segments(string_, state_.jar, rod, segments, span, last_drift);
+    if (const auto guard = guards_.describe(rod, segments, state_.jar, time))
+        throw GuardError(*guard);
     throw SimulationError(describe_divergence(string_, {&rod, &after}, time));
 }
 

@@ -47,6 +47,7 @@ class Leapfrog final : public Integrator {
         std::vector<Substeps::Work> substeps;  ///< of each stretch of the string
         CoarsestSegment coarsest;
         Accounts accounts;  ///< of its spans, while it runs
+        JarState jar;       ///< at the whole step, where it has the jar's segment
     };
 
     /// Where the threads meet.

@@ -161,7 +161,8 @@ struct ColumnForces {
 ///
 /// less the part b^2/2 of bending without axial force, which may have a shape of its own. (The
 /// largest value over z is that of the beam-column; z is near enough to it for an error of second
-/// order, and forces are the gradient of what it is.)
+/// order, and forces are the gradient of what it is.) `slid`: by how much the halves of a jar are
+/// apart, over h, which eps does not have.
 struct BeamColumn {
     double bend2;       ///< b^2
     double angle2;      ///< phi^2
@@ -175,11 +176,11 @@ struct BeamColumn {
     double shearing;  ///< as in ColumnForces
 
     DRILLSTRAND_INLINE BeamColumn(const SegmentStiffness& k, const SegmentChord& chord,
-                                  double bend_squared)
+                                  double bend_squared, double slid = 0.0)
         : bend2(bend_squared),
           angle2(chord.angle2()),
           stretching(1.0 + bend2 * (1.0 / 24.0) + angle2 * 0.1),
-          strain(chord.ratio * stretching - 1.0),
+          strain(chord.ratio * stretching - 1.0 - slid),
           load(strain * k.slenderness,
                k.slenderness * (bend2 * (1.0 / 24.0) + k.bending_share * angle2 * (3.0 / 70.0))),
           stability(load.value),
@@ -205,6 +206,19 @@ struct BeamColumn {
     [[nodiscard]] DRILLSTRAND_INLINE double whole_energy(const SegmentStiffness& k) const {
         return energy(k) + 0.5 * k.bending * bend2;
     }
+};
+
+/// How the strain of a beam-column grows, eps' = S c' + c (b b'/12 + phi phi'/5): by_chord . g' +
+/// by_bend h a . k', g' and k' the rates of stretch with shear and of bending with twist.
+struct StrainGrowth {
+    Triple by_chord;
+    double by_bend;
+
+    DRILLSTRAND_INLINE StrainGrowth(const SegmentChord& chord, double stretching, double factor)
+        : by_chord(combine(
+              stretching, chord.along, 0.2,
+              combine(1.0, chord.deviation, -dot(chord.deviation, chord.along), chord.along))),
+          by_bend(chord.ratio * factor * (1.0 / 12.0)) {}
 };
 
 /// The twist h tau of a segment is the angle between its frames, carried along by the shortest

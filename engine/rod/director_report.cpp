@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "model/segment_strain.hpp"
@@ -46,9 +47,9 @@ Triple node_triple(const DirectorSnapshot& at, DirectorRow row, std::size_t node
 
 /// A segment with the strains and forces of its exact beam-column.
 struct ReportedSegment {
-    ReportedSegment(const Scene& scene, std::size_t k, const DirectorSnapshot& at)
-        : section(scene.mesh.segment[k]),
-          length(scene.mesh.length[k]),
+    ReportedSegment(const DirectorString& string, std::size_t k, const DirectorSnapshot& at)
+        : section(string.scene.mesh.segment[k]),
+          length(string.scene.mesh.length[k]),
           stiffness(section, length),
           arc(node_triple(at, DirectorRow::director, k),
               node_triple(at, DirectorRow::director, k + 1)),
@@ -57,7 +58,8 @@ struct ReportedSegment {
                 node_triple(at, DirectorRow::director, k),
                 node_triple(at, DirectorRow::director, k + 1), arc.inverse_both()),
           bend(arc.factor() / length * vector(arc.turn)),
-          beam(stiffness, chord, length * length * bend.squaredNorm()) {}
+          beam(stiffness, chord, length * length * bend.squaredNorm(), string.jar.slid(at.jar, k)) {
+    }
 
     const SectionProperties& section;
     double length;
@@ -222,10 +224,10 @@ double own_shape_energy(const ReportedSegment& segment, const DirectorSnapshot& 
 }
 
 /// Elastic energy (J) and axial force (N) of the segments of a block of strings without a
-/// curvature of their own.
+/// curvature of their own. `slid`: Jar::slid_in().
 DRILLSTRAND_KERNEL void report_block(const DirectorConstants& c, const Table<DirectorRow>& rod,
                                      const Table<SegmentRow>& segments, std::size_t block,
-                                     double* energy_out, double* tension_out) {
+                                     const double* slid, double* energy_out, double* tension_out) {
     const auto first = static_cast<std::ptrdiff_t>(block * block_size);
     const ConstTriples x_a = rod.triples(DirectorRow::position, first);
     const ConstTriples x_b = rod.triples(DirectorRow::position, first + 1);
@@ -247,7 +249,7 @@ DRILLSTRAND_KERNEL void report_block(const DirectorConstants& c, const Table<Dir
         const double factor = arc.factor();
         const double sine2 = dot(arc.turn, arc.turn);
         const SegmentStiffness stiffness = stiffnesses[k];
-        const BeamColumn beam(stiffness, chord, factor * factor * sine2);
+        const BeamColumn beam(stiffness, chord, factor * factor * sine2, slid[k]);
         const double elastic_twist = h * (twist[k] - twist0[k]) +
                                      stiffness.bending_share * twist_of_deviation(chord, arc.turn);
         const Triple along = along_middle(chord);
@@ -278,15 +280,17 @@ EnergiesAndTensions energies_and_tensions(const DirectorString& string,
     const std::size_t blocks = (count + block_size - 1) / block_size;
     EnergiesAndTensions of{std::vector<double>(blocks * block_size),
                            std::vector<double>(blocks * block_size)};
-    for (std::size_t block = 0; block < blocks; ++block)
-        at_level<report_block>(string.model.level)(string.model.constants, at.rod, at.segments,
-                                                   block, of.energy.data() + block * block_size,
-                                                   of.tension.data() + block * block_size);
+    for (std::size_t block = 0; block < blocks; ++block) {
+        const std::array<double, block_size> slid = string.jar.slid_in(at.jar, block);
+        at_level<report_block>(string.model.level)(
+            string.model.constants, at.rod, at.segments, block, slid.data(),
+            of.energy.data() + block * block_size, of.tension.data() + block * block_size);
+    }
     of.energy.resize(count);
     of.tension.resize(count);
     if (string.model.features.curved)
         for (std::size_t k = 0; k < count; ++k)
-            of.energy[k] = energy_of(ReportedSegment(string.scene, k, at), at, k);
+            of.energy[k] = energy_of(ReportedSegment(string, k, at), at, k);
     return of;
 }
 
@@ -312,8 +316,9 @@ DirectorSnapshot snapshot(const DirectorString& string, const DirectorState& sta
     const double time = state.clock.time;
     const double last_drift = state.clock.last_step;
     DirectorSnapshot at{state.rod, Table<SegmentRow>(model.segments + 1), {}, state.wall, {}};
+    at.jar = string.jar.follow(state.jar, model, state.rod, last_drift);
     for (const BlockSpan span : string.spans)
-        director_segments(model, state.rod, at.segments, span, last_drift);
+        string_segments(string, at.jar, state.rod, at.segments, span, last_drift);
     string.head.load(at.segments, state.rod, time);
     load_bit(string, state, state.rod, time, at.segments);
     std::vector<Substeps::Work> works;
@@ -466,6 +471,8 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
             : state.bit.torque;
     record.depth_of_cut = string.bit.depth_of_cut(state.rock);
     record.drilled = state.rock.depth;
+    record.jar_travel = at.jar.slide;
+    record.jar_blows = std::llround(at.jar.blows);
     record.drive_torque = scene.head.drive ? state.head.drive_torque : record.surface_torque;
     record.step_size = state.clock.last_step;
     record.time_error = state.time_error.latest;
@@ -478,13 +485,15 @@ SeriesRecord series_record(const DirectorString& string, const DirectorState& st
     const EnergiesAndTensions of = energies_and_tensions(string, at);
     for (const double elastic : of.energy)
         energy.elastic += elastic;
-    record.head_stress = stress_of(ReportedSegment(scene, 0, at), at, 0);
-    record.bit_stress = stress_of(ReportedSegment(scene, last - 1, at), at, last - 1);
+    if (const auto segment = string.jar.segment()) record.jar_force = of.tension[*segment];
+    record.head_stress = stress_of(ReportedSegment(string, 0, at), at, 0);
+    record.bit_stress = stress_of(ReportedSegment(string, last - 1, at), at, last - 1);
     energy.potential = potential_energy(scene, position);
     energy.work = state.head.work + state.bit.work;
     energy.work += prescribed_energy(string, at.rod, at.wall) - state.origin.head;
     const NodeReport nodes = report_nodes(string, at, position);
     account_for(record, scene, nodes, of.tension, state.accounts, state.origin);
+    energy.dissipation += at.jar.work;
     record.impacts += std::llround(at.impacts);
     record.slips += std::llround(at.slips);
     record.contact_changes = 2 * record.impacts - record.contact_nodes;
@@ -498,7 +507,7 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
     profile.time = state.clock.time;
     std::vector<double> fixed_end;
     for (std::size_t k = 0; k < string.model.segments; ++k) {
-        const ReportedSegment segment(scene, k, at);
+        const ReportedSegment segment(string, k, at);
         profile.stress.push_back(stress_of(segment, at, k));
         fixed_end.push_back(fixed_end_moment(segment.beam));
     }
@@ -522,14 +531,15 @@ Profile profile_record(const DirectorString& string, const DirectorState& state)
 
 BendingRecord bending_record(const DirectorString& string, const DirectorState& state) {
     DirectorSnapshot at{state.rod, Table<SegmentRow>(string.model.segments + 1), {}, {}, {}};
+    at.jar = string.jar.follow(state.jar, string.model, state.rod, state.clock.last_step);
     for (const BlockSpan span : string.spans)
-        director_segments(string.model, state.rod, at.segments, span, state.clock.last_step);
+        string_segments(string, at.jar, state.rod, at.segments, span, state.clock.last_step);
     at.frame = material_frames(string, at.rod, at.segments.row(SegmentRow::twist),
                                string.head.d1(state.head, state.clock.time));
     BendingRecord record{state.clock.time, {}};
     record.moment.reserve(string.model.segments);
     for (std::size_t k = 0; k < string.model.segments; ++k) {
-        const ReportedSegment segment(string.scene, k, at);
+        const ReportedSegment segment(string, k, at);
         const Eigen::Matrix3d frame = middle_frame(segment, at, k);
         const Vector3d moment = bending_of(segment, at, k);
         record.moment.emplace_back(moment.dot(frame.col(1)), moment.dot(frame.col(2)));
@@ -567,7 +577,7 @@ std::vector<SensorRecord> sensor_records(const DirectorString& string, const Dir
     std::vector<SensorRecord> records;
     for (const SensorCase& sensor : sensors) {
         const SensorPlace place(string.scene.mesh, sensor);
-        const ReportedSegment segment(string.scene, place.segment, at);
+        const ReportedSegment segment(string, place.segment, at);
         records.push_back(sensor_record(
             string.scene, sensor,
             motion_between(motion(place.segment), motion(place.segment + 1), place.share),

@@ -23,6 +23,7 @@ struct DirectorSnapshot {
     std::vector<Eigen::Matrix3d> frame;  ///< N+1, d3, d1, d2 in the columns
     double impacts = 0;                  ///< in the step that begins here
     double slips = 0;
+    JarState jar{};  ///< at this step
 
     [[nodiscard]] const Table<SegmentRow>& handed_over() const {
         return averaged ? *averaged : segments;

@@ -178,18 +178,18 @@ DRILLSTRAND_KERNEL void segments_of_span(const DirectorModel& model, const Table
             out.drag_force.set(k, scaled(internal_damping.translation, g_rate));
             out.drag_couple.set(k, scaled(internal_damping.rotation, k_rate));
             if constexpr (damping == Damping::kelvin_voigt) {
-                // eps' = S c' + c (b b'/12 + phi phi'/5): power of n eps' on g' and k'
-                const Triple by_stretch =
-                    combine(beam.stretching, e, 0.2, without(chord.deviation, e));
-                const double by_bend = chord.ratio * factor * (1.0 / 12.0);
-                const double strain_rate = dot(by_stretch, g_rate) + by_bend * h * dot(a, k_rate);
+                // power of n eps' on g' and k'
+                const StrainGrowth growth(chord, beam.stretching, factor);
+                const double strain_rate =
+                    dot(growth.by_chord, g_rate) + growth.by_bend * h * dot(a, k_rate);
                 const double stretching = kelvin_voigt * stiffness.axial * strain_rate;
-                const Triple n_rate = combine(
-                    stretching, by_stretch, kelvin_voigt * stiffness.deviation, without(g_rate, e));
+                const Triple n_rate =
+                    combine(stretching, growth.by_chord, kelvin_voigt * stiffness.deviation,
+                            without(g_rate, e));
                 const Triple& m = chord.mean;
                 const double torsion = kelvin_voigt / stiffness.twisting * dot(k_rate, m);
                 const double ei = kelvin_voigt * stiffness.bending * h * h;
-                Triple couple = combine(ei, without(k_rate, m), h * stretching * by_bend, a);
+                Triple couple = combine(ei, without(k_rate, m), h * stretching * growth.by_bend, a);
                 couple = combine(1.0, couple, torsion * arc.inverse_one, combine(1.0, ta, 1.0, tb));
                 out.viscous_pull.set(k, n_rate);
                 out.viscous_lean.set(k, scaled(0.5 * h * chord.ratio, cross(e, n_rate)));

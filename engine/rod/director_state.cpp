@@ -15,6 +15,7 @@ DirectorString::DirectorString(const Scene& scene_of_run, Level level)
       model(scene, level),
       head(scene),
       bit(scene),
+      jar(scene.mesh),
       substeps(scene),
       spans(equal_spans(blocks_for(model.segments + 1))) {}
 
@@ -56,6 +57,13 @@ DirectorState initial_state(const DirectorString& string) {
     return state;
 }
 
+void string_segments(const DirectorString& string, const JarState& jar,
+                     const Table<DirectorRow>& rod, Table<SegmentRow>& segments, BlockSpan span,
+                     double drift) {
+    director_segments(string.model, rod, segments, span, drift);
+    if (string.jar.is_in(span)) string.jar.slacken(jar, string.model, rod, segments);
+}
+
 Eigen::Vector3d well_at_bit(const DirectorString& string, const Table<WallRow>& wall,
                             const Table<DirectorRow>& rod) {
     const std::size_t node = string.model.segments;
@@ -78,6 +86,7 @@ void start_again(const DirectorString& string, DirectorState& state) {
     std::copy_n(at.segments.row(SegmentRow::twist), string.model.segments,
                 state.rod.row(DirectorRow::last_twist));
     state.wall = std::move(at.wall);
+    state.jar = at.jar;
     state.clock.last_step = 0;
     state.course = {};
 }
@@ -90,6 +99,7 @@ void derive(const DirectorString& string, DirectorState& state) {
         throw std::invalid_argument("the clock of the saved state is out of order");
     if (!state.accounts.are_counts())
         throw std::invalid_argument("impacts or slips of the saved state are no counts");
+    string.jar.check(state.jar);
     string.model.surroundings.derive(state.wall);
 }
 

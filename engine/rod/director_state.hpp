@@ -7,6 +7,7 @@
 #include "rod/bit.hpp"
 #include "rod/director.hpp"
 #include "rod/head.hpp"
+#include "rod/jar.hpp"
 #include "rod/substeps.hpp"
 #include "state/rows.hpp"
 
@@ -21,6 +22,7 @@ struct DirectorString {
     DirectorModel model;
     Head head;
     Bit bit;
+    Jar jar;
     Substeps substeps;
     std::vector<BlockSpan> spans;  ///< of nodes, one kernel call each
 };
@@ -33,6 +35,7 @@ struct DirectorState {
     alignas(block_alignment) BitState bit;
     alignas(block_alignment) RockState rock;
     alignas(block_alignment) Accounts accounts;  ///< per span
+    JarState jar;  ///< of the whole step before; Jar::follow() leads to that of this one
     EnergyOrigin origin;
     Clock clock;
     Course course;
@@ -48,6 +51,7 @@ struct DirectorState {
         visit("bit", self.bit);
         visit("rock", self.rock);
         visit("accounts", self.accounts);
+        visit("jar", self.jar);
         visit("origin", self.origin);
         visit("clock", self.clock);
         visit("course", self.course);
@@ -59,6 +63,12 @@ struct DirectorState {
 
 /// The string at rest at time 0 in the scene's initial nodes, but for a head that is driven.
 DirectorState initial_state(const DirectorString& string);
+
+/// What the segments of a span bear at a whole step: director_segments(), and the jar's as it
+/// slides there.
+void string_segments(const DirectorString& string, const JarState& jar,
+                     const Table<DirectorRow>& rod, Table<SegmentRow>& segments, BlockSpan span,
+                     double drift);
 
 /// Down the well at the bit; its director where there is no well.
 Eigen::Vector3d well_at_bit(const DirectorString& string, const Table<WallRow>& wall,

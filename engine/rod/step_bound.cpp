@@ -294,6 +294,12 @@ bool reaches_an_end_of_its_own(const FineStretch& stretch, const Scene& scene) {
            (stretch.end == scene.mesh.length.size() && scene.bit.law == BitLaw::cutting);
 }
 
+/// Whether a jar slides in a stretch. Substeps have all segments hold along their axes.
+bool holds_a_jar(const FineStretch& stretch, const Scene& scene) {
+    const auto& jar = scene.mesh.jar;
+    return jar && stretch.first <= jar->segment && jar->segment < stretch.end;
+}
+
 /// Rounds in single precision err by kappa 6e-8 of the forces, kappa up to 0.86 p^2.
 bool takes_too_many(const FineStretch& stretch) {
     constexpr int most_substeps = 48;
@@ -340,7 +346,8 @@ StepPlan step_plan(const Scene& scene) {
         if (!std::isfinite(plan.bound.step)) break;  // no segment is left
         const double step_without_damping = plan.undamped(plan.bound.step);
         const auto tells_walls = [&](const FineStretch& stretch) {
-            if (reaches_an_end_of_its_own(stretch, scene)) return false;
+            if (reaches_an_end_of_its_own(stretch, scene) || holds_a_jar(stretch, scene))
+                return false;
             for (std::size_t k = stretch.first; k <= stretch.end; ++k)
                 if (wall.is_beyond(k, step_without_damping)) return false;
             return true;

@@ -102,6 +102,9 @@ Case case_of(const Scenario& scenario, IntegratorKind kind) {
         input.bit.feed = ScalarSchedule(0.01);
         input.bit.off_bottom = 1e-4;
     }
+    if (scenario.name == "Jar" && kind == IntegratorKind::leapfrog)
+        input.string.components[0].jar =
+            JarCase{.position = 60, .up_force = 2e3, .up_travel = 0.2, .delay = 0.02};
     if (scenario.name == "MovedHead") {
         input.head.tilting = {{0, 0.5, 1}, {{0, 0, 0}, {0, 0.02, -0.01}, {0, 0, 0}}};
         input.head.velocity = {{0, 0.5, 1}, {{0, 0, 0}, {0.5, 0.02, 0}, {-0.5, 0, 0.01}}};
@@ -128,6 +131,7 @@ const std::vector<Scenario> scenarios = {
     {"SlippingBit", pipe_in_well("")},
     {"CuttingBit", pipe_in_well("")},
     {"PumpedMud", pipe_in_well("")},
+    {"Jar", pipe_in_well("")},
     {"MovedHead", pipe_in_well("")},
     {"PinnedHead", pipe_in_well("")},
     {"Hoist", pipe_in_well("")},

@@ -88,6 +88,7 @@ TEST(StateReadme, ListsEveryRowAsItIs) {
 TEST(StateReadme, ListsEveryFieldOfEveryRecordAsItIs) {
     expect_record_described<HeadState>("HeadState");
     expect_record_described<BitState>("BitState");
+    expect_record_described<JarState>("JarState");
     expect_record_described<Accounts>("Accounts");
     expect_record_described<EnergyOrigin>("EnergyOrigin");
     expect_record_described<StepStatistics>("StepStatistics");
