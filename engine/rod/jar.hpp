@@ -29,7 +29,7 @@ class Jar {
     }
 
     /// The jar at a whole step from that at the one before, `drift` (s) ago: latched, sliding or at
-    /// a stop under the places and directors of `rod`. At once again it stays as it is.
+    /// a stop under the places and directors of `rod`. Followed again at the same step it stays.
     [[nodiscard]] JarState follow(JarState jar, const DirectorModel& model,
                                   const Table<DirectorRow>& rod, double drift) const;
 
