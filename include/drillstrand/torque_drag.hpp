@@ -61,7 +61,7 @@ struct TorqueDragCurve {
     /// The most that reaches the bit at the last depth while the string slides (N); NaN of other
     /// motions.
     double largest_weight = std::numeric_limits<double>::quiet_NaN();
-    TorqueDragProfile profile;                ///< at the last depth
+    TorqueDragProfile profile;  ///< at the last depth
     std::vector<TorqueDragFailure> failures;
 };
 
