@@ -35,8 +35,7 @@ VibrationMode described_mode(const Scene& scene, const RodState& state,
 /// The largest length of Re(v exp(i w t)) in a period: half of the long axis of its ellipse.
 double largest_of_period(const Eigen::Vector3cd& v);
 
-/// Difference of the turns of a segment's ends, across its axis, and along it: mean bending
-/// (1/m) and twist (1/m) of a motion.
+/// Mean strains of a segment in a motion: bending across its axis (1/m), twist (1/m), stretch.
 struct SegmentStrainAmplitude {
     Eigen::Vector3cd bending;
     std::complex<double> twist;

@@ -213,7 +213,7 @@ class Assembly {
     /// A pinned head moves by its tilt alone.
     void pin_head(VibrationMatrices& matrices) const {
         const Matrix6 tilt = on_both(Matrix3d::Zero(), across(state_.director.front()));
-        for (Matrix6* block : {&matrices.mass[0], &matrices.gyroscopic[0]})
+        for (Matrix6* block : {&matrices.mass.front(), &matrices.gyroscopic.front()})
             *block = (tilt * *block * tilt).eval();
         for (BlockTridiagonal* matrix : {&matrices.damping, &matrices.carried_round}) {
             matrix->diagonal[0] = (tilt * matrix->diagonal[0] * tilt).eval();
