@@ -155,11 +155,11 @@ void Surroundings::derive(Table<WallRow>& wall) const {
               arc == std::floor(arc)))
             throw std::invalid_argument("a node is in no arc of the well");
         // what varies along an arc is that of the last step, which substeps read
-        const double hole = wall.row(WallRow::hole)[k];
-        const double stiffness = wall.row(WallRow::stiffness)[k];
+        const double last_hole = wall.row(WallRow::hole)[k];
+        const double last_stiffness = wall.row(WallRow::stiffness)[k];
         enter_arc(wall, k, static_cast<std::size_t>(arc));
-        wall.row(WallRow::hole)[k] = hole;
-        wall.row(WallRow::stiffness)[k] = stiffness;
+        wall.row(WallRow::hole)[k] = last_hole;
+        wall.row(WallRow::stiffness)[k] = last_stiffness;
     }
 }
 
