@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "drillstrand/modes_file.hpp"
 #include "results/dataset_of.hpp"
 
@@ -9,6 +11,21 @@ constexpr const char* kind_text =
     "what most of the kinetic energy is in: 0 lateral, 1 torsional, 2 axial";
 constexpr const char* whirl_text =
     "1: nodes go round on circles with the positive rotation, -1: against it, 0: to and fro";
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// A frequency, in Hz in files and in rad/s beside its equations.
+template <class Record>
+RecordDataset<Record> frequency(const char* path, const char* description) {
+    RecordDataset<Record> dataset = value<Record, &Record::frequency>(path, "Hz", description);
+    dataset.append = [](const Record& record, std::vector<double>& out) {
+        out.push_back(record.frequency / turn);
+    };
+    dataset.assign = [](Record& record, const double* in, std::size_t) {
+        record.frequency = turn * *in;
+    };
+    return dataset;
+}
 
 }  // namespace
 
@@ -28,7 +45,7 @@ const std::vector<RecordDataset<StaticShape>>& static_shape_datasets() {
 const std::vector<RecordDataset<VibrationMode>>& mode_datasets() {
     using M = VibrationMode;
     static const std::vector<RecordDataset<M>> table = {
-        value<M, &M::frequency>("/modes/frequency", "rad/s", "natural frequency"),
+        frequency<M>("/modes/frequency", "natural frequency"),
         value<M, &M::kind>("/modes/kind", "1", kind_text),
         value<M, &M::lateral_share>("/modes/lateral_share", "1",
                                     "share of the kinetic energy across the string"),
@@ -41,13 +58,14 @@ const std::vector<RecordDataset<VibrationMode>>& mode_datasets() {
                                 "places where the string rests, its ends left out"),
         value<M, &M::bending_place>("/modes/bending_place", "m",
                                     "place of the largest bending moment, along the string"),
-        values<M, &M::displacement>("/modes/displacement", Rows::nodes, "m",
+        values<M, &M::displacement>("/modes/shape", Rows::nodes, "m",
                                     "displacement: north, east, down; the largest is 1 m, or the "
                                     "largest turn of a torsional mode 1 rad"),
-        values<M, &M::turn>("/modes/turn", Rows::nodes, "rad", "turn about north, east, down"),
-        values<M, &M::later_displacement>("/modes/later_displacement", Rows::nodes, "m",
+        values<M, &M::turn>("/modes/shape_turn", Rows::nodes, "rad",
+                            "turn about north, east, down"),
+        values<M, &M::later_displacement>("/modes/later_shape", Rows::nodes, "m",
                                           "displacement a quarter of a period later"),
-        values<M, &M::later_turn>("/modes/later_turn", Rows::nodes, "rad",
+        values<M, &M::later_turn>("/modes/later_shape_turn", Rows::nodes, "rad",
                                   "turn a quarter of a period later"),
     };
     return table;
@@ -58,8 +76,7 @@ const std::vector<RecordDataset<CampbellPoint>>& campbell_datasets() {
     static const std::vector<RecordDataset<C>> table = {
         value<C, &C::rotation_rate>("/modes/campbell/rotation_rate", "rad/s",
                                     "rate at which the string turns, ascending"),
-        value<C, &C::frequency>("/modes/campbell/frequency", "rad/s",
-                                "natural frequency at that rate, ascending"),
+        frequency<C>("/modes/campbell/frequency", "natural frequency at that rate, ascending"),
         value<C, &C::kind>("/modes/campbell/kind", "1", kind_text),
         value<C, &C::whirl>("/modes/campbell/whirl", "1", whirl_text),
     };
@@ -84,7 +101,7 @@ const std::vector<RecordDataset<ForcedResponse>>& response_datasets() {
     static const std::vector<RecordDataset<R>> table = {
         value<R, &R::rotation_rate>("/modes/response/rotation_rate", "rad/s",
                                     "rate at which the string turns"),
-        value<R, &R::frequency>("/modes/response/frequency", "rad/s", "frequency of the vibration"),
+        frequency<R>("/modes/response/frequency", "frequency of the vibration"),
         values<R, &R::displacement>("/modes/response/displacement", Rows::nodes, "m",
                                     "amplitude of the displacement"),
         values<R, &R::twist>("/modes/response/twist", Rows::nodes, "rad",

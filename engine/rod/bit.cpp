@@ -158,7 +158,9 @@ double Bit::spin_left(const BitState& bit, const RockState& rock, const Turning&
         const double onward = std::max(std::copysign(1.0, before) * free, 0.0);
         left = std::copysign(speed_left(onward, mobility, time), before);
     }
-    if (left == 0 && std::abs(free) > mobility * friction(0, time))
+    const double most_at_rest =
+        loads_.law == BitLaw::stribeck ? loads_.static_torque : full_torque(time);
+    if (left == 0 && std::abs(free) > mobility * most_at_rest)
         left = std::copysign(speed_left(std::abs(free), mobility, time), free);
     return left;
 }

@@ -176,7 +176,7 @@ void print_contents(const ModesResult& result) {
                result.header.node_s.back());
     fmt::print("  turning          {:.6g} rad/s\n", result.rotation_rate);
     for (std::size_t k = 0; k < result.modes.size(); ++k)
-        fmt::print("  mode {:<11} {:.10g} rad/s, {}\n", k + 1, result.modes[k].frequency,
+        fmt::print("  mode {:<11} {:.10g} Hz, {}\n", k + 1, result.modes[k].frequency / hertz(),
                    mode_kind_name(result.modes[k].kind));
     fmt::print("  Campbell         {} points, {} critical speeds\n", result.campbell.size(),
                result.critical_speeds.size());

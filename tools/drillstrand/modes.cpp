@@ -8,7 +8,6 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +28,7 @@ namespace drillstrand::program {
 namespace {
 
 double in_hertz(double frequency) {
-    return frequency / (2 * std::numbers::pi);
+    return frequency / hertz();
 }
 
 double in_rpm(double rate) {

@@ -27,6 +27,9 @@ inline double megapascal() {
 inline double millimetre() {
     return unit_factor("mm", dimension::length);
 }
+inline double hertz() {
+    return unit_factor("Hz", dimension::frequency);
+}
 inline double revolution_per_minute() {
     return unit_factor("rpm", dimension::frequency);
 }

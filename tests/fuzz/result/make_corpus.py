@@ -25,7 +25,7 @@ ALONG = ["tension", "torque", "side_force", "bending_stress", "von_mises_stress"
 STATIC = {"position": (NODES, 3), "director": (NODES, 3), "side_force": (NODES,)}
 MODE_NUMBERS = ["frequency", "lateral_share", "torsional_share", "axial_share", "whirl",
                 "bending_place"]
-MOTIONS = ["displacement", "turn", "later_displacement", "later_turn"]
+MOTIONS = ["shape", "shape_turn", "later_shape", "later_shape_turn"]
 RESPONSE = {"displacement": NODES, "twist": NODES, "side_force": NODES,
             "bending_moment": SEGMENTS, "torque": SEGMENTS, "axial_force": SEGMENTS}
 
@@ -116,6 +116,8 @@ def torque_drag(file):
     for name in ALONG:
         group["drilling/profile/" + name] = numbers(SEGMENTS)
     group["drilling/buckling"] = np.array([-1, 2])
+    for name in ["lock_up_depth", "largest_weight"]:
+        group["drilling"].attrs[name] = 0.5
     group["drilling/profile/buckling"] = np.array([0, 1])
 
 
