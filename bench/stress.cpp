@@ -200,8 +200,9 @@ int main(int argc, char** argv) {
     app.add_option("--cfl", options.cfl)->capture_default_str();
     app.add_flag("--assemblies", options.assemblies,
                  "strings with tool joints, stabilisers and bits on meshes that follow them");
-    app.add_flag("--driven", options.driven,
-                 "bits that stick or cut, top drives, friction that falls, mud in motion");
+    app.add_flag(
+        "--driven", options.driven,
+        "bits that stick, cut or roll, motors, drives, hoists, jars, Hertz walls, moving mud");
     app.add_flag("--one-step", options.one_step, "one step for all, no substeps");
     app.add_option("--jobs", options.jobs, "scenes at a time; 0: all cores")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
