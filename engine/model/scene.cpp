@@ -228,13 +228,20 @@ bool is_twisted(const BitCase& bit) {
            any_of(bit.dead_moment, has_couple);
 }
 
-/// A torque that follows a free end drives it to flutter, as slowly as its motion is heavy. The
-/// turn of the last node alone is a motion of the mesh, light, and by nothing damped: where a
-/// torque acts, the node is as heavy as a rigid segment about its end, whose inertia vanishes with
-/// h^2.
-void weigh_down_twisted_bit(const StringMesh& mesh, std::vector<double>& inertias) {
-    const double h = mesh.length.back();
-    inertias.back() = std::max(inertias.back(), mesh.node.back().mass * h * h / 3);
+/// Whether a couple about the axis of a head that tilts may act on it.
+bool is_twisted(const HeadCase& head, const BitCase& bit) {
+    const auto& rates = head.rotation.values();
+    const bool turns =
+        std::any_of(rates.begin(), rates.end(), [](double rate) { return rate != 0; });
+    return head.motion == HeadMotion::pinned && (head.drive || turns || is_twisted(bit));
+}
+
+/// A torque that follows an end which tilts drives it to flutter, as slowly as its motion is heavy.
+/// The turn of the end's node alone is a motion of the mesh, light, and by nothing damped: where a
+/// torque acts, the node is as heavy as a rigid segment of the length h about its end, whose
+/// inertia vanishes with h^2.
+void weigh_down_twisted_end(const SectionProperties& node, double h, double& inertia) {
+    inertia = std::max(inertia, node.mass * h * h / 3);
 }
 
 /// D_in carries turns along the string with the speed D_in/J, half a step late: where that is no
@@ -253,7 +260,11 @@ void weigh_down_damped_nodes(const Scene& scene, std::vector<double>& inertias) 
 std::vector<double> rotary_inertias(const Scene& scene, const Case& input) {
     if (input.run.integrator == IntegratorKind::leapfrog) {
         std::vector<double> inertias = slow_inertias(scene.mesh);
-        if (is_twisted(input.bit)) weigh_down_twisted_bit(scene.mesh, inertias);
+        const StringMesh& mesh = scene.mesh;
+        if (is_twisted(input.bit))
+            weigh_down_twisted_end(mesh.node.back(), mesh.length.back(), inertias.back());
+        if (is_twisted(input.head, input.bit))
+            weigh_down_twisted_end(mesh.node.front(), mesh.length.front(), inertias.front());
         weigh_down_damped_nodes(scene, inertias);
         return inertias;
     }

@@ -203,11 +203,12 @@ std::vector<MovingSegment> moving_segments(const Scene& scene) {
     for (std::size_t k = 0; k < loads.size(); ++k)
         segments.push_back({segment_rates(scene, k, loads[k]), MovedInertia(scene, k)});
     if (scene.bit.drills()) {
-        // the rock is a spring on the bit's cell, which at an end is less than half a segment
+        // the rock is a spring on the bit's cell, which at an end is less than half a segment; it
+        // lets go and takes hold between two steps, which gives energy unless they tell it well
         const SectionProperties& bit = scene.mesh.node.back();
         const double rock = rock_stiffness(scene);
         double& rate = segments.back().rates.axial;
-        rate = std::hypot(rate, std::sqrt(rock / (bit.mass * scene.mesh.cell.back())));
+        rate = std::hypot(rate, 2 * std::sqrt(rock / (bit.mass * scene.mesh.cell.back())));
     }
     return segments;
 }
