@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "drillstrand/torque_drag_file.hpp"
 
@@ -245,6 +246,48 @@ TEST_F(TorqueDragProgram, OutputThatCannotBeWrittenIsRefused) {
     for (const std::string option : {"-o -", "-o case.toml", "--csv case.toml", "--csv -"})
         EXPECT_EQ(run("case.toml " + option).code, 2) << option;
     EXPECT_EQ(run("case.toml --csv none/such.csv").code, 2);
+}
+
+TEST_F(TorqueDragProgram, CalibrateFitsFrictionToPointsThatItMadeItself) {
+    // a first section that bends, or its friction would not tell
+    std::string text = small_case;
+    text.replace(text.find("to = 300"), 8, "to = 500");
+    std::ofstream(path("case.toml")) << text;
+    ASSERT_EQ(run("case.toml --csv study.csv").code, 0);
+    std::ifstream study(path("study.csv"));
+    std::string header;
+    std::getline(study, header);
+    const auto column = [&](const std::string& name) {
+        const std::string before = header.substr(0, header.find(name));
+        return std::count(before.begin(), before.end(), ',');
+    };
+    const auto in = column("tripping_in_hook_load");
+    const auto out = column("tripping_out_hook_load");
+    std::ofstream points(path("points.csv"));
+    points << "depth[m],slack_off[N],pick_up[N]\n";
+    for (std::string line; std::getline(study, line);) {
+        std::vector<std::string> fields{""};
+        for (const char c : line) {
+            if (c == ',')
+                fields.emplace_back();
+            else
+                fields.back().push_back(c);
+        }
+        points << fields[0] << ',' << fields[static_cast<std::size_t>(in)] << ','
+               << fields[static_cast<std::size_t>(out)] << '\n';
+    }
+    points.close();
+    const Ending found = call("calibrate case.toml points.csv --csv fit.csv");
+    EXPECT_EQ(found.code, 0) << found.text;
+    EXPECT_THAT(found.text, AllOf(HasSubstr("friction, to 500 m"), HasSubstr("0.2000"),
+                                  HasSubstr("block weight"), HasSubstr("slack off (kN)")));
+    EXPECT_TRUE(fs::exists(path("fit.csv")));
+    EXPECT_EQ(call("calibrate case.toml points.csv --csv fit.csv").code, 2);
+    EXPECT_EQ(call("calibrate case.toml points.csv --csv fit.csv --overwrite").code, 0);
+    std::ofstream(path("none.csv")) << "depth[m],weather\n500,1\n";
+    const Ending wrong = call("calibrate case.toml none.csv");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.text, HasSubstr("none.csv:1:1: nothing to fit to"));
 }
 
 }  // namespace
