@@ -37,7 +37,7 @@ struct HeadLoads {
 };
 enum class StringModel { stiff, soft };
 
-/// Friction of the sections that the bit has reached, and the block's weight, as unknowns.
+/// Friction of the sections that the points tell, and the block's weight, as unknowns.
 class Fit {
   public:
     Fit(const Case& input, const std::vector<MeasuredPoint>& points, int threads)
@@ -46,18 +46,21 @@ class Fit {
         for (const MeasuredPoint& point : points)
             deepest = std::max(deepest, point.bit_depth);
         double start = input.well->survey.front().measured_depth;
-        for (const WellSectionCase& section : input.well->sections) {
-            if (start < deepest) ++sections_;
-            start = section.to;
+        for (std::size_t k = 0; k < input.well->sections.size(); ++k) {
+            if (start < deepest) sections_.push_back(k);
+            start = input.well->sections[k].to;
         }
         for (const MeasuredPoint& point : points)
             if (point.load != MeasuredLoad::torque) weighs_ = true;
+        leave_out_untold();
     }
 
-    [[nodiscard]] Eigen::Index unknowns() const {
-        return static_cast<Eigen::Index>(sections_) + (weighs_ ? 1 : 0);
+    [[nodiscard]] Eigen::Index unknowns() const { return frictions() + (weighs_ ? 1 : 0); }
+    [[nodiscard]] Eigen::Index frictions() const {
+        return static_cast<Eigen::Index>(sections_.size());
     }
-    [[nodiscard]] std::size_t sections() const { return sections_; }
+    /// Numbers of the sections whose friction is sought.
+    [[nodiscard]] const std::vector<std::size_t>& sections() const { return sections_; }
     [[nodiscard]] bool weighs() const { return weighs_; }
 
     [[nodiscard]] VectorXd start() const {
@@ -93,7 +96,7 @@ class Fit {
     [[nodiscard]] MatrixXd slopes(const VectorXd& unknown) const {
         constexpr double step = 1e-3;
         MatrixXd result = MatrixXd::Zero(static_cast<Eigen::Index>(points_.size()), unknowns());
-        for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(sections_); ++j) {
+        for (Eigen::Index j = 0; j < frictions(); ++j) {
             VectorXd more = unknown;
             more[j] += step;
             result.col(j) =
@@ -109,6 +112,23 @@ class Fit {
   private:
     static constexpr double usual_friction = 0.25;
 
+    /// In a section where the string hardly touches, as in a vertical one, friction stays as the
+    /// case has it: there a coefficient of 1 changes no reading by a thousandth.
+    void leave_out_untold() {
+        constexpr double least = 1e-3;
+        const MatrixXd slopes_at_start = slopes(start());
+        std::vector<std::size_t> told;
+        for (std::size_t j = 0; j < sections_.size(); ++j)
+            for (std::size_t i = 0; i < points_.size(); ++i)
+                if (std::abs(slopes_at_start(static_cast<Eigen::Index>(i),
+                                             static_cast<Eigen::Index>(j))) >
+                    least * std::abs(points_[i].value)) {
+                    told.push_back(sections_[j]);
+                    break;
+                }
+        sections_ = told;
+    }
+
     [[nodiscard]] double block_weight(const VectorXd& unknown) const {
         return weighs_ ? unknown[unknowns() - 1] : 0.0;
     }
@@ -116,9 +136,9 @@ class Fit {
     [[nodiscard]] Case with_friction(const VectorXd& unknown) const {
         Case guess = input_;
         guess.torque_drag.friction.reset();
-        for (std::size_t k = 0; k < sections_; ++k) {
+        for (std::size_t k = 0; k < sections_.size(); ++k) {
             const double friction = unknown[static_cast<Eigen::Index>(k)];
-            WellSectionCase& section = guess.well->sections[k];
+            WellSectionCase& section = guess.well->sections[sections_[k]];
             section.static_friction = section.dynamic_friction = {friction, friction};
         }
         return guess;
@@ -141,7 +161,7 @@ class Fit {
     const Case& input_;
     const std::vector<MeasuredPoint>& points_;
     int threads_;
-    std::size_t sections_ = 0;
+    std::vector<std::size_t> sections_;
     bool weighs_ = false;
 };
 
@@ -201,6 +221,11 @@ Calibration calibrate(const Case& input, const std::vector<MeasuredPoint>& point
     check(input, points);
     const Fit fit(input, points, threads > 0 ? threads : omp_get_num_procs());
     const auto count = static_cast<Eigen::Index>(points.size());
+    constexpr const char* untold =
+        "the points do not tell friction and block weight apart; expected pick_up and slack_off, "
+        "or "
+        "torque, at depths in each section";
+    if (fit.frictions() == 0) throw InputError({input.path.string()}, untold);
     if (count < fit.unknowns())
         throw InputError({input.path.string()},
                          fmt::format("{} points do not tell {} numbers apart; expected more points",
@@ -216,15 +241,12 @@ Calibration calibrate(const Case& input, const std::vector<MeasuredPoint>& point
     VectorXd weight;
     constexpr int most_rounds = 20;
     constexpr double close = 1e-5;  // of a friction coefficient
-    const auto frictions = static_cast<Eigen::Index>(fit.sections());
+    const Eigen::Index frictions = fit.frictions();
     for (double change = 1; change > close && result.rounds < most_rounds; ++result.rounds) {
         weight = weights(points, left, measured, result.rounds);
         weighted = weight.asDiagonal() * fit.slopes(unknown);
         const Eigen::ColPivHouseholderQR<MatrixXd> solver(weighted);
-        if (solver.rank() < fit.unknowns())
-            throw InputError({input.path.string()},
-                             "the points do not tell friction and block weight apart; expected "
-                             "pick_up and slack_off, or torque, at depths in each section");
+        if (solver.rank() < fit.unknowns()) throw InputError({input.path.string()}, untold);
         VectorXd next = unknown + solver.solve(VectorXd(weight.asDiagonal() * left));
         next.head(frictions) = next.head(frictions).cwiseMax(0).cwiseMin(2);
         change = (next - unknown).head(frictions).cwiseAbs().maxCoeff();
@@ -239,8 +261,8 @@ Calibration calibrate(const Case& input, const std::vector<MeasuredPoint>& point
         return FittedNumber{std::move(name), unknown[j], std::sqrt(covariance(j, j))};
     };
     for (Eigen::Index j = 0; j < frictions; ++j)
-        result.friction.push_back(
-            fitted(j, section_name(input.well->sections[static_cast<std::size_t>(j)])));
+        result.friction.push_back(fitted(
+            j, section_name(input.well->sections[fit.sections()[static_cast<std::size_t>(j)]])));
     if (fit.weighs()) result.block_weight = fitted(frictions, "block");
     const VectorXd values = measured - left;
     result.fitted.assign(values.begin(), values.end());
