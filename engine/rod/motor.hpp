@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drillstrand/case.hpp"
+#include "numerics/bracketed_root.hpp"
 
 namespace drillstrand {
 
@@ -22,47 +23,15 @@ class Motor {
     template <class Speed>
     [[nodiscard]] double torque(const Speed& rotor_speed) const {
         const auto excess = [&](double torque) { return rotor_speed(torque) - speed(torque); };
-        return root(excess, 0, motor_.stall_torque);
+        const double most = motor_.stall_torque;
+        const Trial none{0, excess(0)};
+        const Trial all{most, excess(most)};
+        if (none.value >= 0) return 0;
+        return all.value <= 0 ? most : bracketed_root(excess, none, all, 1e-13 * most);
     }
 
   private:
-    /// Where a function that grows passes 0, or the end of the range that is nearer to it: by
-    /// regula falsi (Illinois), whatever jumps it has.
-    template <class Function>
-    static double root(const Function& function, double low, double high);
-
     MotorCase motor_;
 };
-
-template <class Function>
-double Motor::root(const Function& function, double low, double high) {
-    double below = function(low);
-    double above = function(high);
-    if (below >= 0) return low;
-    if (above <= 0) return high;
-    const double close = 1e-13 * high;
-    constexpr int most_rounds = 200;
-    int side = 0;
-    for (int i = 0; i < most_rounds && high - low > close; ++i) {
-        // every third round halves: jumps and flat parts then cost no more than that
-        const bool halves = i % 3 == 2;
-        const double at =
-            halves ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
-        const double value = function(at);
-        if (value == 0) return at;
-        if (value < 0) {
-            low = at;
-            below = value;
-            if (side < 0) above *= 0.5;
-            side = -1;
-        } else {
-            high = at;
-            above = value;
-            if (side > 0) below *= 0.5;
-            side = 1;
-        }
-    }
-    return 0.5 * (low + high);
-}
 
 }  // namespace drillstrand
