@@ -6,9 +6,12 @@
 
 namespace drillstrand {
 
+std::array<std::optional<DrillerLoop>, 4> driller_loops(const AutodrillerCase& autodriller) {
+    return {autodriller.weight, autodriller.rate, autodriller.torque, autodriller.pressure};
+}
+
 Autodriller::Autodriller(const AutodrillerCase& autodriller)
-    : loops_{autodriller.weight, autodriller.rate, autodriller.torque, autodriller.pressure},
-      off_bottom_load_(autodriller.off_bottom_load) {}
+    : loops_(driller_loops(autodriller)), off_bottom_load_(autodriller.off_bottom_load) {}
 
 double Autodriller::drum_speed(HeadState& head, const DrillerReadings& readings, double time,
                                double step) const {

@@ -13,6 +13,9 @@ namespace drillstrand {
 /// surface torque (N m), difference of pressure over the motor (Pa).
 using DrillerReadings = std::array<double, 4>;
 
+/// Loops of an autodriller, in the order of its readings.
+std::array<std::optional<DrillerLoop>, 4> driller_loops(const AutodrillerCase& autodriller);
+
 class Autodriller {
   public:
     explicit Autodriller(const AutodrillerCase& autodriller);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rod/autodriller.hpp"
+
 namespace drillstrand {
 
 namespace {
@@ -36,8 +38,7 @@ void follow_hoist(const HoistCase& hoist, const Follow& follow) {
     follow(hoist.block_speed);
     if (hoist.hook_load) follow(*hoist.hook_load);
     if (!hoist.autodriller) return;
-    for (const auto& loop :
-         {hoist.autodriller->weight, hoist.autodriller->rate, hoist.autodriller->torque})
+    for (const auto& loop : driller_loops(*hoist.autodriller))
         if (loop) follow(loop->limit);
 }
 
