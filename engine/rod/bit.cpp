@@ -102,8 +102,7 @@ RockState Bit::start_on_rock() const {
 }
 
 double Bit::weight(const RockState& rock, double time) const {
-    return drilling_ ? of_rock([&](const auto& law) { return law.weight(rock); }, 0.0)
-                     : loads_.weight(time);
+    return of_rock([&](const auto& law) { return law.weight(rock); }, loads_.weight(time));
 }
 
 double Bit::depth_of_cut(const RockState& rock) const {
@@ -158,9 +157,7 @@ double Bit::spin_left(const BitState& bit, const RockState& rock, const Turning&
         const double onward = std::max(std::copysign(1.0, before) * free, 0.0);
         left = std::copysign(speed_left(onward, mobility, time), before);
     }
-    const double most_at_rest =
-        loads_.law == BitLaw::stribeck ? loads_.static_torque : full_torque(time);
-    if (left == 0 && std::abs(free) > mobility * most_at_rest)
+    if (left == 0 && std::abs(free) > mobility * full_torque(time))
         left = std::copysign(speed_left(std::abs(free), mobility, time), free);
     return left;
 }

@@ -96,11 +96,11 @@ class Fit {
     [[nodiscard]] MatrixXd slopes(const VectorXd& unknown) const {
         constexpr double step = 1e-3;
         MatrixXd result = MatrixXd::Zero(static_cast<Eigen::Index>(points_.size()), unknowns());
+        const VectorXd here = predicted(unknown, StringModel::soft);
         for (Eigen::Index j = 0; j < frictions(); ++j) {
             VectorXd more = unknown;
             more[j] += step;
-            result.col(j) =
-                (predicted(more, StringModel::soft) - predicted(unknown, StringModel::soft)) / step;
+            result.col(j) = (predicted(more, StringModel::soft) - here) / step;
         }
         if (weighs_)
             for (std::size_t i = 0; i < points_.size(); ++i)
