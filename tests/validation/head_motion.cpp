@@ -199,6 +199,52 @@ TEST_P(PinnedHead, LetsAStiffPipeSwingAsAPendulum) {
     EXPECT_NEAR(fine + (fine - coarse) / 3, 0, 5e-4);
 }
 
+/// A head that tilts under a torque is an end that flutters: one as light as its section gave
+/// energy until, after 70 s, it had turned past 90 degrees.
+TEST(PinnedHeadThatTurns, GivesNoEnergyWithoutDamping) {
+    Case input = case_from(R"(
+[[string.component]]
+length = 300
+outer_diameter = 0.1397
+inner_diameter = 0.1214
+linear_density = 29.5
+youngs_modulus = "206 GPa"
+[fluid]
+density = 1733
+viscosity = 0.02
+[mesh]
+segments = 60
+[head]
+motion = "pinned"
+rotation = [[1, 0], [5, 2.85]]
+[bit]
+weight = [[5, 0], [7.5, "200 kN"]]
+torque = "10 kN m"
+[contact]
+static_friction = 0.28
+dynamic_friction = 0.22
+normal_stiffness = 1e8
+tangential_stiffness = 1e8
+restitution = 0.5
+[run]
+duration = 80
+)");
+    WellCase well;
+    const double degree = pi / 180;
+    well.survey = {{0, 0, 267 * degree},
+                   {90, 0, 267 * degree},
+                   {200, 7 * degree, 261 * degree},
+                   {400, 22 * degree, 253 * degree}};
+    well.sections = {{400, 0.1757}};
+    input.well = well;
+    input.bit.direction = BitDirection::well;
+    input.initial.state = InitialState::coaxial;
+    const test::Run result = run(input);
+    const EnergyAccount& energy = result.last().energy;
+    const double gained = energy.stored() - result.series.front().energy.stored();
+    EXPECT_NEAR(gained + energy.dissipation - energy.work, 0, 1e-3 * energy.dissipation);
+}
+
 TEST(PinnedHeadAtRest, HangsInEquilibriumAlongTheForceOnItsBit) {
     // a heavy pipe pulled aside at its lower end by H: a catenary's slope H/(w L) at the bit end,
     // moments about the pin: H z = integral of the weight's arms
