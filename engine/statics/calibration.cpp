@@ -32,8 +32,8 @@ TorqueDragMotion motion_of(MeasuredLoad load) {
 
 /// Loads at the head: of the stiff string, or of the soft one.
 struct HeadLoads {
-    double hook_load;
-    double torque;
+    double hook_load = 0;
+    double torque = 0;
 };
 enum class StringModel { stiff, soft };
 
@@ -82,8 +82,12 @@ class Fit {
             const auto& [depth, which] = depths[k];
             const TrippedString string = string_at(guess, depth);
             Tripping tripping(string);
+            std::map<TorqueDragMotion, HeadLoads> of_motion;
             for (const std::size_t i : which) {
-                const HeadLoads loads = loads_of(tripping, points_[i], model);
+                const TorqueDragMotion motion = motion_of(points_[i].load);
+                if (!of_motion.contains(motion))
+                    of_motion[motion] = loads_of(tripping, depth, motion, model);
+                const HeadLoads& loads = of_motion[motion];
                 const bool turns = points_[i].load == MeasuredLoad::torque;
                 values[static_cast<Eigen::Index>(i)] =
                     turns ? loads.torque : loads.hook_load + block_weight(unknown);
@@ -144,8 +148,8 @@ class Fit {
         return guess;
     }
 
-    static HeadLoads loads_of(Tripping& tripping, const MeasuredPoint& point, StringModel model) {
-        const TorqueDragMotion motion = motion_of(point.load);
+    static HeadLoads loads_of(Tripping& tripping, double bit_depth, TorqueDragMotion motion,
+                              StringModel model) {
         if (model == StringModel::soft) {
             const SoftLoad head = tripping.soft_at_head(motion);
             return {head.tension, head.torque};
@@ -153,8 +157,8 @@ class Fit {
         const TrippingAnswer answer = tripping.answer(motion);
         if (answer.failure)
             throw SimulationError(
-                fmt::format("no equilibrium of the string with its bit at {:.6g} m: {}",
-                            point.bit_depth, *answer.failure));
+                fmt::format("no equilibrium of the string with its bit at {:.6g} m: {}", bit_depth,
+                            *answer.failure));
         return {answer.hook_load, answer.surface_torque};
     }
 
